@@ -1,0 +1,23 @@
+# Every library that Scanway uses, found once.
+find_package(Threads REQUIRED)
+find_package(Eigen3 REQUIRED NO_MODULE)
+find_package(TBB REQUIRED)
+find_package(yaml-cpp REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(octomap REQUIRED)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(zstd REQUIRED IMPORTED_TARGET libzstd)
+pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)
+pkg_check_modules(cairo REQUIRED IMPORTED_TARGET cairo)
+# Debian's lcm has no CMake package, and its .pc asks for the headers of glib, which nobody needs.
+find_library(LCM_LIBRARY lcm REQUIRED)
+find_program(LCM_GEN lcm-gen REQUIRED)
+
+if(SCANWAY_TESTS)
+  find_package(GTest REQUIRED)
+endif()
+if(SCANWAY_BENCHMARKS)
+  find_package(benchmark REQUIRED)
+endif()
