@@ -1,1 +1,167 @@
-int main() { return 0; }
+/// The command line of `scanway`: every subcommand's words and flags. What a subcommand does is in its own file.
+
+#include <cstdio>
+#include <functional>
+#include <string>
+#include <thread>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+#include <tbb/global_control.h>
+
+#include "common/files/input_error.h"
+#include "common/files/printable.h"
+#include "modules/tools/import_clouds.h"
+#include "modules/tools/info.h"
+#include "modules/tools/plan.h"
+#include "modules/tools/register.h"
+#include "modules/tools/replay.h"
+
+namespace scanway::tools {
+namespace {
+
+constexpr int kBadInput = 2;
+
+/// Runs what the chosen subcommand asks for; set while the command line is parsed.
+using Action = std::function<int()>;
+
+void log_to_stderr() {
+  auto logger = spdlog::stderr_color_st("scanway");
+  logger->set_pattern("%^%l%$: %v");
+  spdlog::set_default_logger(logger);
+}
+
+/// "X,Y" as a flag's value.
+CLI::Option* add_point(CLI::App* app, const std::string& flag, std::pair<double, double>& point,
+                       const std::string& help) {
+  return app->add_option(flag, point, help)->delimiter(',')->type_name("X,Y");
+}
+
+void add_import(CLI::App& app, Action& action) {
+  static ImportCloudsOptions options;
+  static std::pair<double, double> goal;
+  static double height = 0.0;
+  CLI::App* import = app.add_subcommand("import", "Make a log of what other programs recorded");
+  import->require_subcommand(1);
+  CLI::App* clouds = import->add_subcommand("clouds", "A log of sweeps from cloud files: PCD, PLY, 3DTK .3d, VTK");
+  clouds->add_option("files", options.files, "The clouds, in the order of the scans")->required();
+  auto* poses = clouds->add_option("--poses", options.poses, "Reference poses: name and 3x4 matrix, a line a scan");
+  clouds->add_option("--orientation", options.orientation, "Orientations of the same form, without a reference")
+      ->excludes(poses);
+  clouds->add_option("-o,--output", options.output, "The log to write")->required();
+  clouds->add_option("--robot", options.robot, "Robot file (default: ERA-Mobi)");
+  clouds->add_option("--heading-sigma-deg", options.heading_sigma_deg, "Disturbs the tracker's heading")
+      ->check(CLI::Range(0.0, 180.0));
+  clouds->add_option("--tilt-sigma-deg", options.tilt_sigma_deg, "Disturbs the tracker's roll and pitch")
+      ->check(CLI::Range(0.0, 180.0));
+  clouds->add_option("--seed", options.seed, "Of the disturbance");
+  auto* height_flag = clouds->add_option("--sensor-height", height, "Of the sensor above the ground, m")
+                          ->check(CLI::Range(0.01, 100.0));
+  auto* goal_flag = add_point(clouds, "--goal", goal, "Where to plan to, m in the map frame");
+  clouds->callback([&action, height_flag, goal_flag] {
+    if (height_flag->count() > 0) options.sensor_height_m = height;
+    if (goal_flag->count() > 0) options.goal_m = goal;
+    action = [] { return run_import_clouds(options); };
+  });
+}
+
+void add_register(CLI::App& app, Action& action) {
+  static RegisterOptions options;
+  static std::array<double, 4> orientation{};
+  CLI::App* command = app.add_subcommand("register", "The pose of one cloud in another's frame, with a verdict");
+  command->add_option("source", options.source, "The cloud to move")->required();
+  command->add_option("target", options.target, "The cloud that stays")->required();
+  auto* flag = command
+                   ->add_option("--orientation", orientation,
+                                "R_target_source as a tracker gives it, a quaternion qw,qx,qy,qz")
+                   ->delimiter(',')
+                   ->type_name("QW,QX,QY,QZ");
+  command->add_flag("--json", options.json, "One JSON document on stdout");
+  command->callback([&action, flag] {
+    if (flag->count() > 0) options.orientation_wxyz = orientation;
+    action = [] { return run_register(options); };
+  });
+}
+
+void add_plan(CLI::App& app, Action& action) {
+  static PlanOptions options;
+  CLI::App* command = app.add_subcommand("plan", "A path on a map file (map_server's PGM and YAML)");
+  command->add_option("map", options.map, "The map's YAML")->required();
+  add_point(command, "--start", options.start_m, "m, in the map's frame")->required();
+  add_point(command, "--goal", options.goal_m, "m, in the map's frame")->required();
+  command->add_option("--mode", options.mode, "What the robot is taken for")
+      ->check(CLI::IsMember({"point", "paper", "footprint"}))
+      ->capture_default_str();
+  command->add_option("--unknown", options.unknown, "What may be done with unknown cells")
+      ->check(CLI::IsMember({"never", "price", "free"}))
+      ->capture_default_str();
+  command->add_option("--robot", options.robot, "Robot file (default: ERA-Mobi)");
+  command->add_option("-o,--output", options.output, "Folder for path.csv and path.png");
+  command->add_flag("--json", options.json, "One JSON document on stdout");
+  command->callback([&action] { action = [] { return run_plan(options); }; });
+}
+
+void add_replay(CLI::App& app, Action& action) {
+  static ReplayOptions options;
+  CLI::App* command = app.add_subcommand("replay", "A log in; map, cost map, path and pictures out");
+  command->add_option("log", options.log, "The log")->required();
+  command->add_option("-o,--output", options.output, "Folder for the products")->required();
+  command->add_option("--robot", options.robot, "Robot file in place of the log's own configuration");
+  command->callback([&action] { action = [] { return run_replay(options); }; });
+}
+
+void add_info(CLI::App& app, Action& action) {
+  static InfoOptions options;
+  CLI::App* command = app.add_subcommand("info", "What a log holds, and whether it is whole");
+  command->add_option("log", options.log, "The log")->required();
+  command->add_flag("--json", options.json, "One JSON document on stdout");
+  command->callback([&action] { action = [] { return run_info(options); }; });
+}
+
+/// The error's one line, and the exit status for bad input.
+int refuse(const std::string& message) {
+  std::fputs(fmt::format("scanway: {}\n", printable(message)).c_str(), stderr);
+  return kBadInput;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app{"Scanway: registered maps and paths from the 3D scans of a stop-and-scan robot"};
+  app.require_subcommand(1);
+  app.fallthrough();
+  unsigned threads = 0;
+  app.add_option("--threads", threads, "Threads to compute with (default: as many as there are cores)")
+      ->check(CLI::Range(1u, 256u));
+  Action action;
+  add_import(app, action);
+  add_register(app, action);
+  add_plan(app, action);
+  add_replay(app, action);
+  add_info(app, action);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);
+    return refuse(fmt::format("{}; see scanway --help", error.what()));
+  }
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency()));
+  return action();
+}
+
+}  // namespace
+}  // namespace scanway::tools
+
+int main(int argc, char** argv) {
+  scanway::tools::log_to_stderr();
+  try {
+    return scanway::tools::run(argc, argv);
+  } catch (const scanway::InputError& error) {
+    return scanway::tools::refuse(error.what());
+  } catch (const std::bad_alloc&) {
+    return scanway::tools::refuse("not enough memory for this input");
+  } catch (const std::exception& error) {
+    return scanway::tools::refuse(error.what());
+  }
+}
