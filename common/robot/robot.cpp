@@ -12,7 +12,17 @@ double distance_from_origin_to_edge(const Eigen::Vector2d& a, const Eigen::Vecto
   return (a + along * edge).norm();
 }
 
+Eigen::Matrix3d rotation_about(const Eigen::Vector3d& axis, double angle) { return exp_so3(axis * angle); }
+
 }  // namespace
+
+Pose Mount::pose() const {
+  Pose X = Pose::Identity();
+  X.linear() = rotation_about_z(roll_pitch_yaw.z()) * rotation_about(Eigen::Vector3d::UnitY(), roll_pitch_yaw.y()) *
+               rotation_about(Eigen::Vector3d::UnitX(), roll_pitch_yaw.x());
+  X.translation() = position_m;
+  return X;
+}
 
 double Robot::inscribed_radius_m() const {
   double radius = std::numeric_limits<double>::infinity();
