@@ -1,0 +1,50 @@
+#pragma once
+
+#include <string_view>
+
+namespace scanway {
+
+/// A channel of the bus: the type of its messages, and whether they are cut in pieces (scanway.piece_t carries them
+/// then). lcmtypes/README.md says who publishes and who reads; a test compares the two.
+struct Channel {
+  std::string_view name;
+  std::string_view type;  ///< package.struct
+  bool cut = false;
+};
+
+namespace channel {
+
+inline constexpr Channel kParams{"PARAMS", "scanway.params_t", true};
+inline constexpr Channel kImu{"IMU", "bot_core.ins_t", false};
+inline constexpr Channel kSweep{"SWEEP", "scanway.sweep_t", true};
+inline constexpr Channel kReferencePose{"REFERENCE_POSE", "scanway.reference_pose_t", false};
+inline constexpr Channel kSweepInputs{"SWEEP_INPUTS", "scanway.sweep_inputs_t", false};
+inline constexpr Channel kRegistration{"REGISTRATION", "scanway.registration_t", false};
+inline constexpr Channel kPose{"POSE", "bot_core.pose_t", false};
+inline constexpr Channel kCloudTile{"CLOUD_TILE", "scanway.cloud_tile_t", true};
+inline constexpr Channel kOctomap{"OCTOMAP", "scanway.octomap_t", true};
+inline constexpr Channel kCostMapTile{"COST_MAP_TILE", "scanway.cost_tile_t", true};
+inline constexpr Channel kCostMapIndex{"COST_MAP_INDEX", "scanway.cost_map_index_t", true};
+inline constexpr Channel kGoal{"GOAL", "scanway.goal_t", false};
+inline constexpr Channel kPath{"PATH", "scanway.path_t", true};
+inline constexpr Channel kHealth{"HEALTH", "scanway.health_t", false};
+inline constexpr Channel kTiming{"TIMING", "scanway.timing_t", false};
+
+}  // namespace channel
+
+/// All of them. Of data with the same time, those of the channel that stands first here go first (ordered_merge.h).
+inline constexpr Channel kChannels[] = {
+    channel::kParams,       channel::kImu,        channel::kSweep,     channel::kReferencePose, channel::kSweepInputs,
+    channel::kRegistration, channel::kPose,       channel::kCloudTile, channel::kOctomap,       channel::kCostMapTile,
+    channel::kCostMapIndex, channel::kGoal,       channel::kPath,      channel::kHealth,        channel::kTiming,
+};
+
+/// The channel of that name, or nullptr.
+constexpr const Channel* find_channel(std::string_view name) {
+  for (const Channel& known : kChannels) {
+    if (known.name == name) return &known;
+  }
+  return nullptr;
+}
+
+}  // namespace scanway
