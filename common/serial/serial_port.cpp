@@ -8,7 +8,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
 #include <utility>
 
 #include "common/files/input_error.h"
@@ -56,7 +55,7 @@ std::string advice(int error) {
 }
 
 [[noreturn]] void fail(const std::string& path, const char* what, int error) {
-  throw InputError(path + ": " + what + ": " + std::strerror(error) + advice(error));
+  throw InputError(path + ": " + what + ": " + reason_of(error) + advice(error));
 }
 
 /// Waits until the port is ready for `events`. False: not within the time.
@@ -70,43 +69,19 @@ bool ready(int descriptor, short events, int timeout_ms) {
 
 SerialPort::SerialPort(std::string path, int baud) : path_(std::move(path)) {
   speed_of(baud, path_);
-  descriptor_ = open(path_.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
-  if (descriptor_ < 0) fail(path_, "the serial port cannot be opened", errno);
-  try {
-    if (isatty(descriptor_) == 0) {
-      throw InputError(path_ + ": this is no serial port; give the name of one, such as /dev/ttyUSB0");
-    }
-    if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0) fail(path_, "the serial port cannot be opened", errno);
-    set_baud(baud);
-  } catch (...) {
-    close();
-    throw;
+  port_ = FileDescriptor(open(path_.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
+  if (!port_.is_open()) fail(path_, "the serial port cannot be opened", errno);
+  if (isatty(descriptor()) == 0) {
+    throw InputError(path_ + ": this is no serial port; give the name of one, such as /dev/ttyUSB0");
   }
-}
-
-SerialPort::~SerialPort() { close(); }
-
-SerialPort::SerialPort(SerialPort&& other) noexcept
-    : path_(std::move(other.path_)), baud_(other.baud_), descriptor_(std::exchange(other.descriptor_, -1)) {}
-
-SerialPort& SerialPort::operator=(SerialPort&& other) noexcept {
-  if (this == &other) return *this;
-  close();
-  path_ = std::move(other.path_);
-  baud_ = other.baud_;
-  descriptor_ = std::exchange(other.descriptor_, -1);
-  return *this;
-}
-
-void SerialPort::close() noexcept {
-  if (descriptor_ >= 0) ::close(descriptor_);
-  descriptor_ = -1;
+  if (flock(descriptor(), LOCK_EX | LOCK_NB) != 0) fail(path_, "the serial port cannot be opened", errno);
+  set_baud(baud);
 }
 
 void SerialPort::set_baud(int baud) {
   const speed_t speed = speed_of(baud, path_);
   termios settings{};
-  if (tcgetattr(descriptor_, &settings) != 0) fail(path_, "its settings cannot be read", errno);
+  if (tcgetattr(descriptor(), &settings) != 0) fail(path_, "its settings cannot be read", errno);
   cfmakeraw(&settings);
   settings.c_cflag &= ~static_cast<tcflag_t>(CSTOPB | CRTSCTS | PARENB);
   settings.c_cflag |= CS8 | CLOCAL | CREAD;
@@ -115,19 +90,19 @@ void SerialPort::set_baud(int baud) {
   settings.c_cc[VTIME] = 0;
   cfsetispeed(&settings, speed);
   cfsetospeed(&settings, speed);
-  if (tcsetattr(descriptor_, TCSANOW, &settings) != 0) fail(path_, "its settings cannot be changed", errno);
+  if (tcsetattr(descriptor(), TCSANOW, &settings) != 0) fail(path_, "its settings cannot be changed", errno);
   // tcsetattr() is content when any one of the settings was taken.
   termios taken{};
-  if (tcgetattr(descriptor_, &taken) != 0 || cfgetospeed(&taken) != speed) {
+  if (tcgetattr(descriptor(), &taken) != 0 || cfgetospeed(&taken) != speed) {
     throw InputError(path_ + ": the port does not do " + std::to_string(baud) + " baud; choose another rate or adapter");
   }
-  tcflush(descriptor_, TCIFLUSH);
+  tcflush(descriptor(), TCIFLUSH);
   baud_ = baud;
 }
 
 std::size_t SerialPort::read(std::span<std::uint8_t> buffer, int timeout_ms) {
-  if (!ready(descriptor_, POLLIN, timeout_ms)) return 0;
-  const ssize_t count = ::read(descriptor_, buffer.data(), buffer.size());
+  if (!ready(descriptor(), POLLIN, timeout_ms)) return 0;
+  const ssize_t count = ::read(descriptor(), buffer.data(), buffer.size());
   if (count > 0) return static_cast<std::size_t>(count);
   if (count < 0 && (errno == EAGAIN || errno == EINTR)) return 0;
   // A port that poll() calls readable and that has nothing to read has hung up.
@@ -136,12 +111,12 @@ std::size_t SerialPort::read(std::span<std::uint8_t> buffer, int timeout_ms) {
 
 void SerialPort::write(std::span<const std::uint8_t> bytes) {
   while (!bytes.empty()) {
-    const ssize_t count = ::write(descriptor_, bytes.data(), bytes.size());
+    const ssize_t count = ::write(descriptor(), bytes.data(), bytes.size());
     if (count > 0) {
       bytes = bytes.subspan(static_cast<std::size_t>(count));
     } else if (count < 0 && errno != EAGAIN && errno != EINTR) {
       fail(path_, "the serial port is gone", errno);
-    } else if (!ready(descriptor_, POLLOUT, kWriteTimeoutMs)) {
+    } else if (!ready(descriptor(), POLLOUT, kWriteTimeoutMs)) {
       throw InputError(path_ + ": the serial port takes no more bytes; check the adapter and unplug it once");
     }
   }

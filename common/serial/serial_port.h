@@ -5,6 +5,8 @@
 #include <span>
 #include <string>
 
+#include "common/files/file_descriptor.h"
+
 namespace scanway {
 
 /// A serial port (RS-232, USB serial, a pseudo-terminal): raw bytes, 8 data bits, no parity, 1 stop bit, no flow
@@ -14,9 +16,6 @@ class SerialPort {
  public:
   /// Opens the port for this process alone. `baud` is one of the rates that termios knows, 1200 to 4000000.
   SerialPort(std::string path, int baud);
-  ~SerialPort();
-  SerialPort(SerialPort&& other) noexcept;
-  SerialPort& operator=(SerialPort&& other) noexcept;
 
   /// Changes the rate and throws away what was received at the old one.
   void set_baud(int baud);
@@ -28,14 +27,12 @@ class SerialPort {
   const std::string& path() const { return path_; }
   int baud() const { return baud_; }
   /// For poll(): readable when read() would return bytes.
-  int descriptor() const { return descriptor_; }
+  int descriptor() const { return port_.get(); }
 
  private:
-  void close() noexcept;
-
   std::string path_;
   int baud_ = 0;
-  int descriptor_ = -1;
+  FileDescriptor port_;
 };
 
 }  // namespace scanway
