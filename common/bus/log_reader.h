@@ -45,15 +45,13 @@ class LogReader {
   static constexpr std::size_t kDamagesKept = 100;
   std::uint64_t damage_count() const { return damage_count_; }    ///< All stretches, kept or not.
   std::uint64_t skipped_bytes() const { return skipped_bytes_; }  ///< Of all stretches.
-  bool cut() const { return cut_; }  ///< The file's end cuts an event off.
+  bool cut() const { return cut_; }                               ///< The file's end cuts an event off.
   std::uint64_t file_bytes() const { return file_.bytes().size(); }
   /// One line for people on what is wrong with the part that was read; empty if nothing is.
   std::string trouble() const;
 
  private:
-  std::uint64_t trusted_end(std::uint64_t offset) const;
-  std::uint64_t next_trusted(std::uint64_t offset) const;
-  LogEvent event_at(std::uint64_t offset) const;
+  LogEvent event_at(std::uint64_t begin, std::uint64_t end) const;
   void note_damage(std::uint64_t begin, std::uint64_t end);
 
   MappedFile file_;

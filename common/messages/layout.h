@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -13,18 +14,21 @@ struct Layout {
   enum class Kind : std::uint8_t { int8, int16, int32, int64, float32, float64, string, nested };
 
   struct Dimension {
-    std::int64_t size = 0;     ///< If it is fixed.
-    int length_member = -1;    ///< Index of the member that holds it; -1 if it is fixed.
-    std::string text;          ///< As the .lcm file writes it.
+    std::int64_t size = 0;   ///< If it is fixed.
+    int length_member = -1;  ///< Index of the member that holds it; -1 if it is fixed.
+    std::string text;        ///< As the .lcm file writes it.
   };
 
   struct Member {
     std::string name;
-    std::string type;                ///< As the .lcm file writes it, nested types with their package.
+    std::string type;  ///< As the .lcm file writes it, nested types with their package.
     Kind kind = Kind::int8;
     const Layout* nested = nullptr;  ///< If kind is nested.
     std::vector<Dimension> dimensions;
   };
+
+  static constexpr std::size_t kMaxMembers = 32;
+  static constexpr int kMaxDepth = 8;
 
   std::string name;  ///< package.struct
   std::vector<Member> members;
