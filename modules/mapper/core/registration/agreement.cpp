@@ -1,0 +1,91 @@
+#include "modules/mapper/core/registration/agreement.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scanway::registration {
+namespace {
+
+constexpr float kOverlapDistance = 0.3f;
+constexpr float kSurfaceDistance = 0.6f;       // between the centres of like surfaces
+constexpr float kPlaneDistance = 0.12f;        // of one centre from the other's plane
+constexpr float kMinNormalCosine = 0.9f;
+
+/// One direction: `from` seen by `to`.
+struct OneWay {
+  double overlap = 0.0, conflict = 0.0, surface_fit = 0.0;
+};
+
+struct View {
+  const PreparedScan::Data& from;
+  const PreparedScan::Data& to;
+  Eigen::Matrix3f R;
+  Eigen::Vector3f t;
+
+  OneWay assess(std::size_t samples) const {
+    OneWay result;
+    const Points& points = from.fine.points();
+    const std::size_t stride = std::max<std::size_t>(1, points.size() / samples);
+    double total = 0.0, near = 0.0, seen = 0.0, free = 0.0;
+    for (std::size_t i = stride / 2; i < points.size(); i += stride) {
+      const Eigen::Vector3f p = R * points[i] + t;
+      const bool matched = to.fine.any_within(p, kOverlapDistance);
+      const RangeImage::Sight sight = to.image.look(p);
+      total += 1.0;
+      near += matched ? 1.0 : 0.0;
+      if (matched || sight == RangeImage::Sight::free || sight == RangeImage::Sight::surface) seen += 1.0;
+      if (!matched && sight == RangeImage::Sight::free) free += 1.0;
+    }
+    result.overlap = total > 0.0 ? near / total : 0.0;
+    result.conflict = seen > 0.0 ? free / seen : 1.0;
+    result.surface_fit = surface_fit(samples);
+    return result;
+  }
+
+  double surface_fit(std::size_t samples) const {
+    const Surfaces& surfaces = samples < from.surfaces.count() ? from.few_surfaces : from.surfaces;
+    double met = 0.0, visible = 0.0;
+    for (std::size_t i = 0; i < surfaces.count(); ++i) {
+      const Eigen::Vector3f p = R * surfaces.centre[i] + t, n = R * surfaces.normal[i];
+      const bool fits = meets_like_surface(p, n);
+      const RangeImage::Sight sight = to.image.look(p);
+      const bool in_view = fits || sight == RangeImage::Sight::free || sight == RangeImage::Sight::surface;
+      if (fits) met += surfaces.weight[i];
+      if (in_view) visible += surfaces.weight[i];
+    }
+    return visible > 0.0 ? met / visible : 0.0;
+  }
+
+  bool meets_like_surface(const Eigen::Vector3f& p, const Eigen::Vector3f& n) const {
+    const CellGrid& grid = to.surface_grid;
+    return grid
+        .nearest(p, kSurfaceDistance,
+                 [&](std::uint32_t position) {
+                   const std::uint32_t j = grid.original()[position];
+                   return n.dot(to.surfaces.normal[j]) > kMinNormalCosine &&
+                          std::fabs(to.surfaces.normal[j].dot(p - grid.points()[position])) < kPlaneDistance;
+                 })
+        .found();
+  }
+};
+
+View view(const PreparedScan::Data& from, const PreparedScan::Data& to, const Pose& T_to_from) {
+  return {from, to, T_to_from.linear().cast<float>(), T_to_from.translation().cast<float>()};
+}
+
+}  // namespace
+
+Agreement assess(const PreparedScan::Data& source, const PreparedScan::Data& target, const Pose& T_target_source,
+                 std::size_t samples) {
+  const OneWay there = view(source, target, T_target_source).assess(samples);
+  const OneWay back = view(target, source, T_target_source.inverse()).assess(samples);
+  Agreement agreement;
+  agreement.overlap = there.overlap;
+  agreement.overlap_back = back.overlap;
+  agreement.conflict = std::max(there.conflict, back.conflict);
+  agreement.surface_fit = std::min(there.surface_fit, back.surface_fit);
+  agreement.score = 0.5 * (there.overlap + back.overlap) + agreement.surface_fit - 2.0 * agreement.conflict;
+  return agreement;
+}
+
+}  // namespace scanway::registration

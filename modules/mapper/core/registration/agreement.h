@@ -1,0 +1,20 @@
+#pragma once
+
+#include "modules/mapper/core/registration/prepared_scan.h"
+
+namespace scanway::registration {
+
+/// How well two scans agree at a pose, from the points that each saw.
+struct Agreement {
+  double overlap = 0.0;       ///< Share of source points with a target point within 0.3 m.
+  double overlap_back = 0.0;  ///< Share of target points with a source point within 0.3 m.
+  double conflict = 0.0;      ///< Share of points in the other's view that lie where the other saw through; the worse.
+  double surface_fit = 0.0;   ///< Share of the surfaces in the other's view that meet a like one; the worse direction.
+  double score = 0.0;         ///< Higher is better: what hypotheses are ranked by.
+};
+
+/// Poses are between the sensors' centres. `samples`: how many points a side are asked.
+Agreement assess(const PreparedScan::Data& source, const PreparedScan::Data& target, const Pose& T_target_source,
+                 std::size_t samples);
+
+}  // namespace scanway::registration

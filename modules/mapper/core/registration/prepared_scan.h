@@ -1,0 +1,23 @@
+#pragma once
+
+#include "modules/mapper/core/registration/cell_grid.h"
+#include "modules/mapper/core/registration/keypoints.h"
+#include "modules/mapper/core/registration/range_image.h"
+#include "modules/mapper/core/registration/registration.h"
+#include "modules/mapper/core/registration/surfaces.h"
+
+namespace scanway {
+
+/// Everything is relative to the sensor's centre, so that single precision serves wherever the scan lies.
+struct PreparedScan::Data {
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< The sensor's centre in the scan's frame.
+  registration::CellGrid fine;                       ///< Voxel centroids at 0.1 m.
+  registration::RangeImage image;
+  registration::Surfaces surfaces;
+  registration::Surfaces few_surfaces;  ///< For the first, coarse rounds of the ICP.
+  registration::CellGrid surface_grid;
+  registration::Keypoints keypoints;
+  std::string defect;  ///< Why the scan cannot be registered; empty if it can.
+};
+
+}  // namespace scanway

@@ -1,0 +1,96 @@
+#include "modules/mapper/core/registration/verdict.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include <Eigen/LU>
+
+#include "common/math/repeatable.h"
+#include "modules/mapper/core/registration/eigen3.h"
+
+namespace scanway::registration {
+namespace {
+
+constexpr double kAcceptedProbability = 0.9;
+constexpr double kOpenShare = 0.008;  // the noise of normals alone (3 degrees) gives 0.003
+
+std::string format(const char* text, double a, double b = 0.0, double c = 0.0) {
+  char buffer[200];
+  std::snprintf(buffer, sizeof(buffer), text, a, b, c);
+  return buffer;
+}
+
+double degrees(double radians) { return radians * 180.0 / repeatable::kPi; }
+
+/// The angle of an axis to x, in (-90, 90] degrees, where a direction and its opposite are one.
+double axis_degrees(const Eigen::Vector3d& axis) {
+  double angle = degrees(repeatable::atan2(axis.y(), axis.x()));
+  if (angle > 90.0) angle -= 180.0;
+  if (angle <= -90.0) angle += 180.0;
+  return angle;
+}
+
+std::string translation_name(const Eigen::Vector3d& axis) {
+  if (std::fabs(axis.z()) > 0.8) return "slides up and down";
+  return format("slides along the scene, %.0f degrees from x", axis_degrees(axis));
+}
+
+std::string rotation_name(const Eigen::Vector3d& axis) {
+  if (std::fabs(axis.z()) > 0.8) return "turns about the vertical";
+  return format("tilts about an axis %.0f degrees from x", axis_degrees(axis));
+}
+
+/// What a 3x3 part knows once the other part is free as well (Schur complement).
+Eigen::Matrix3d marginal(const Eigen::Matrix3d& own, const Eigen::Matrix3d& cross, const Eigen::Matrix3d& other) {
+  const double damping = 1e-9 * other.trace() + 1e-300;
+  return own - cross * (other + damping * Eigen::Matrix3d::Identity()).inverse() * cross.transpose();
+}
+
+}  // namespace
+
+double probability_right(const Evidence& e) {
+  const double z = -6.0 + 6.0 * e.agreement.surface_fit + 8.0 * e.agreement.overlap - 20.0 * e.agreement.conflict +
+                   6.0 * std::min(e.margin, 0.5);
+  return 1.0 / (1.0 + repeatable::exp(-z));
+}
+
+Observability observe(const IcpResult& icp) {
+  Observability result;
+  if (!(icp.weight > 0.0)) return result;
+  const Eigen::Matrix3d rr = icp.information.topLeftCorner<3, 3>() / (icp.weight * icp.lever_m * icp.lever_m);
+  const Eigen::Matrix3d tt = icp.information.bottomRightCorner<3, 3>() / icp.weight;
+  const Eigen::Matrix3d rt = icp.information.topRightCorner<3, 3>() / (icp.weight * icp.lever_m);
+  const Eigen3 translation = symmetric_eigen(marginal(tt, rt.transpose(), rr));
+  const Eigen3 rotation = symmetric_eigen(marginal(rr, rt, tt));
+  result.weakest = std::max(0.0, std::min(translation.values[0], rotation.values[0]));
+  for (int k = 0; k < 3; ++k) {
+    if (translation.values[k] < kOpenShare) {
+      result.open_directions.push_back(translation_name(translation.vectors.col(k)));
+    }
+    if (rotation.values[k] < kOpenShare) result.open_directions.push_back(rotation_name(rotation.vectors.col(k)));
+  }
+  return result;
+}
+
+void decide(const Evidence& evidence, const Observability& observability, RegistrationResult& result) {
+  result.probability = probability_right(evidence);
+  result.open_directions = observability.open_directions;
+  const Agreement& a = evidence.agreement;
+  const std::string figures = format("%.0f %% overlap, %.1f %% of the points where the other scan saw through",
+                                     100.0 * a.overlap, 100.0 * a.conflict);
+  result.verdict = Verdict::refused;
+  if (!result.open_directions.empty()) {
+    result.probability = std::min(result.probability, 0.5);
+    result.reason = "The scene leaves a motion open: " + result.open_directions.front() + ".";
+  } else if (result.probability >= kAcceptedProbability) {
+    result.verdict = Verdict::accepted;
+    result.reason = format("The scans agree within %.0f mm: ", 1000.0 * result.inlier_rmse_m) + figures + ".";
+  } else if (evidence.margin < 0.05) {
+    result.reason = "Another pose fits almost as well: " + figures + ".";
+  } else {
+    result.reason = "The scans do not agree well enough at any pose: " + figures + ".";
+  }
+}
+
+}  // namespace scanway::registration
