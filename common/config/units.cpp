@@ -73,7 +73,9 @@ std::string text_from_si(double value, const std::optional<Unit>& unit) {
   if (is_plain(unit)) return written(std::to_chars(text.begin(), text.end(), value));
   const long double number = static_cast<long double>(value) * unit->denominator / unit->numerator;
   constexpr int kEnough = 21;  // decimal digits that tell any two long doubles apart
-  for (int digits = 1; digits < kEnough; ++digits) {
+  int digits = 1;              // at least those before the decimal point
+  for (long double power = 10; digits < 7 && power <= std::fabs(number); power *= 10) ++digits;
+  for (; digits < kEnough; ++digits) {
     const auto shorter = written(std::to_chars(text.begin(), text.end(), number, std::chars_format::general, digits));
     if (si_from_text(shorter, unit) == value) return shorter;
   }

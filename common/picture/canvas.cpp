@@ -133,7 +133,7 @@ void Canvas::Paper::paint(const Raster& raster) const {
 /// A bar of a round length, about a fifth of the map, with its length beside it.
 void Canvas::Paper::scale_bar() const {
   const double length_m = round_length(std::max(0.25 * map_width, 120.0) * metres_per_pixel);
-  const double length = length_m / metres_per_pixel, x = left, y = top + map_height + 26;
+  const double length = length_m / metres_per_pixel, x = kMargin + 0.5, y = top + map_height + 26;
   colour(kInk);
   cairo_set_line_width(pen, 1.5);
   cairo_rectangle(pen, x, y - 5, length, 8);
@@ -146,6 +146,7 @@ void Canvas::Paper::scale_bar() const {
 }
 
 void Canvas::Paper::ring(double x, double y, double radius, Colour fill) const {
+  cairo_new_path(pen);
   cairo_arc(pen, x, y, radius, 0, kTurn);
   colour(fill);
   cairo_fill_preserve(pen);
@@ -155,6 +156,7 @@ void Canvas::Paper::ring(double x, double y, double radius, Colour fill) const {
 }
 
 void Canvas::Paper::star(double x, double y, double radius, Colour fill) const {
+  cairo_new_path(pen);
   for (int i = 0; i < 10; ++i) {
     const double r = i % 2 == 0 ? radius : 0.45 * radius, angle = i * kTurn / 10;
     cairo_line_to(pen, x + r * repeatable::sin(angle), y - r * repeatable::cos(angle));

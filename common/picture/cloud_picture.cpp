@@ -36,52 +36,94 @@ std::vector<Eigen::Vector3f> below(const PointCloud& cloud, double cut_height_m)
   return points;
 }
 
-Raster raster_over(const std::vector<Eigen::Vector3f>& points) {
+/// Where the picture lies on the map: a grid of square spots.
+struct Frame {
+  Eigen::Vector2d corner_m;
+  double spot_m;
+  int columns, rows;
+};
+
+Frame frame_around(const std::vector<Eigen::Vector3f>& points, int pixels_a_spot) {
   constexpr double kStray = 0.002, kBorder_m = 0.5;
   const auto [x_low, x_high] = extent(points, 0, kStray);
   const auto [y_low, y_high] = extent(points, 1, kStray);
   const double width_m = x_high - x_low + 2 * kBorder_m, height_m = y_high - y_low + 2 * kBorder_m;
-  const double scale = std::max({width_m, height_m, 5.0}) / kLongSide;
-  return Raster(std::max(1, static_cast<int>(width_m / scale)), std::max(1, static_cast<int>(height_m / scale)), scale,
-                {x_low - kBorder_m, y_low - kBorder_m}, kGround);
+  const double spot_m = std::max({width_m, height_m, 5.0}) / kLongSide * pixels_a_spot;
+  const auto spots = [&](double length_m) { return std::max(1, static_cast<int>(length_m / spot_m)); };
+  return {{x_low - kBorder_m, y_low - kBorder_m}, spot_m, spots(width_m), spots(height_m)};
 }
 
-/// What lies on a pixel.
+/// What lies on a spot.
 struct Pile {
   std::uint32_t points = 0;
   float highest = -1e30f;
 };
 
-std::vector<Pile> piles_of(const std::vector<Eigen::Vector3f>& points, const Raster& raster) {
-  std::vector<Pile> piles(raster.pixels.size());
+/// Row by row from the top.
+std::vector<Pile> piles_of(const std::vector<Eigen::Vector3f>& points, const Frame& frame) {
+  std::vector<Pile> piles(static_cast<std::size_t>(frame.columns) * static_cast<std::size_t>(frame.rows));
   for (const Eigen::Vector3f& point : points) {
-    const double x = std::floor((point.x() - raster.corner_m.x()) / raster.metres_per_pixel);
-    const double y = raster.height - 1 - std::floor((point.y() - raster.corner_m.y()) / raster.metres_per_pixel);
-    if (x < 0 || y < 0 || x >= raster.width || y >= raster.height) continue;
+    const double x = std::floor((point.x() - frame.corner_m.x()) / frame.spot_m);
+    const double y = frame.rows - 1 - std::floor((point.y() - frame.corner_m.y()) / frame.spot_m);
+    if (x < 0 || y < 0 || x >= frame.columns || y >= frame.rows) continue;
     Pile& pile =
-        piles[static_cast<std::size_t>(y) * static_cast<std::size_t>(raster.width) + static_cast<std::size_t>(x)];
+        piles[static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.columns) + static_cast<std::size_t>(x)];
     ++pile.points;
     pile.highest = std::max(pile.highest, point.z());
   }
   return piles;
 }
 
-/// The count that only one pixel in fifty with points exceeds.
-double dense_count(const std::vector<Pile>& piles) {
+std::vector<float> counts_of(const std::vector<Pile>& piles) {
   std::vector<float> counts;
   for (const Pile& pile : piles) {
     if (pile.points > 0) counts.push_back(static_cast<float>(pile.points));
   }
-  return std::max(2.0f, quantile(counts, 0.98));
+  return counts;
 }
 
-void colour(Raster& raster, const std::vector<Pile>& piles, double lowest, double highest) {
-  const double full = repeatable::log(1.0 + dense_count(piles));
+/// A thin cloud gets larger spots, so that its surfaces do not fall apart into dots.
+int pixels_a_spot_for(const std::vector<Eigen::Vector3f>& points) {
+  constexpr double kPointsASpot = 3.0;
+  int side = 1;
+  while (side < 4) {
+    const std::size_t filled = counts_of(piles_of(points, frame_around(points, side))).size();
+    if (static_cast<double>(points.size()) >= kPointsASpot * static_cast<double>(filled)) break;
+    ++side;
+  }
+  return side;
+}
+
+/// Height by colour, density by brightness: walls, where points pile up, stand out.
+Raster raster_of(const std::vector<Pile>& piles, const Frame& frame, double lowest, double highest) {
+  Raster raster(frame.columns, frame.rows, frame.spot_m, frame.corner_m, kGround);
+  auto counts = counts_of(piles);
+  const double full = repeatable::log(1.0 + std::max(2.0f, quantile(counts, 0.98)));
   for (std::size_t i = 0; i < piles.size(); ++i) {
     if (piles[i].points == 0) continue;
     const double density = std::min(1.0, repeatable::log(1.0 + piles[i].points) / full);
     const Colour pure = height_colour((piles[i].highest - lowest) / (highest - lowest));
-    raster.pixels[i] = mix(kGround, pure, 0.35 + 0.65 * density);
+    raster.pixels[i] = mix(kGround, pure, 0.4 + 0.6 * density);
+  }
+  return raster;
+}
+
+/// Fills single empty spots within surfaces: those with at least five full neighbours.
+void fill_pinholes(Raster& raster) {
+  const Raster before = raster;
+  for (int y = 1; y + 1 < raster.height; ++y) {
+    for (int x = 1; x + 1 < raster.width; ++x) {
+      if (before.at(x, y) != kGround) continue;
+      int full = 0, red = 0, green = 0, blue = 0;
+      for (int k = 0; k < 9; ++k) {
+        const Colour c = before.at(x - 1 + k % 3, y - 1 + k / 3);
+        if (c == kGround) continue;
+        ++full;
+        red += c.red, green += c.green, blue += c.blue;
+      }
+      const auto mean = [&](int sum) { return static_cast<std::uint8_t>(sum / full); };
+      if (full >= 5) raster.at(x, y) = {mean(red), mean(green), mean(blue)};
+    }
   }
 }
 
@@ -94,10 +136,12 @@ void draw_cloud_from_above(const std::string& path, const PointCloud& cloud, dou
     canvas.note("no points below the cut");
     return write_file(path, canvas.png());
   }
-  Raster raster = raster_over(points);
+  const int pixels_a_spot = pixels_a_spot_for(points);
+  const Frame frame = frame_around(points, pixels_a_spot);
   const double lowest = extent(points, 2, 0.01)[0], highest = std::max(cut_height_m, lowest + 0.1);
-  colour(raster, piles_of(points, raster), lowest, highest);
-  Canvas canvas(raster);
+  Raster raster = raster_of(piles_of(points, frame), frame, lowest, highest);
+  fill_pinholes(raster);
+  Canvas canvas(enlarged(raster, pixels_a_spot));
   canvas.legend_heights(lowest, highest);
   write_file(path, canvas.png());
 }

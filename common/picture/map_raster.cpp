@@ -71,20 +71,12 @@ Raster raster_of(const CostMap& map, const CellRectangle& part) {
   const auto long_side = std::max<std::int64_t>({part.width(), part.height(), 1});
   Spots spots{part, static_cast<std::int32_t>((long_side + kLongSide - 1) / kLongSide)};
   for (const auto& [tile, cells] : map.tiles) spots.add(tile, cells);
-  const auto pixels_a_spot = static_cast<int>(std::clamp<std::int64_t>(kLongSide / long_side, 1, 16));
   const Eigen::Vector2d low = map.resolution_m * Eigen::Vector2d(part.low.x, part.low.y);
-  Raster raster(spots.columns * pixels_a_spot, spots.rows * pixels_a_spot,
-                map.resolution_m * spots.side / pixels_a_spot, Eigen::Vector2d(map.origin_x_m, map.origin_y_m) + low,
-                kUnknownColour);
+  Raster raster(spots.columns, spots.rows, map.resolution_m * spots.side,
+                Eigen::Vector2d(map.origin_x_m, map.origin_y_m) + low, kUnknownColour);
   const auto cells_a_spot = static_cast<std::uint32_t>(spots.side) * static_cast<std::uint32_t>(spots.side);
-  for (int y = 0; y < raster.height; ++y) {
-    for (int x = 0; x < raster.width; ++x) {
-      const auto row = static_cast<std::size_t>(y / pixels_a_spot),
-                 column = static_cast<std::size_t>(x / pixels_a_spot);
-      raster.at(x, y) = spots.blends[row * static_cast<std::size_t>(spots.columns) + column].colour(cells_a_spot);
-    }
-  }
-  return raster;
+  std::ranges::transform(spots.blends, raster.pixels.begin(), [&](Blend& b) { return b.colour(cells_a_spot); });
+  return enlarged(raster, static_cast<int>(std::clamp<std::int64_t>(kLongSide / long_side, 1, 16)));
 }
 
 }  // namespace scanway

@@ -19,12 +19,13 @@ Colour mix(Colour a, Colour b, double share) {
 }
 
 Colour height_colour(double share) {
-  // Stations along matplotlib's viridis (CC0), at equal distances.
-  constexpr std::array<Colour, 9> kStations = {{{68, 1, 84},
-                                                {71, 44, 122},
-                                                {59, 81, 139},
-                                                {44, 113, 142},
-                                                {33, 144, 141},
+  // Stations along matplotlib's viridis (CC0) at equal distances, without its darkest part, which sinks into the
+  // ground.
+  constexpr std::array<Colour, 9> kStations = {{{72, 40, 120},
+                                                {64, 70, 136},
+                                                {52, 97, 141},
+                                                {42, 121, 142},
+                                                {33, 145, 140},
                                                 {39, 173, 129},
                                                 {92, 200, 99},
                                                 {170, 220, 50},
@@ -40,5 +41,13 @@ Raster::Raster(int width_px, int height_px, double scale, const Eigen::Vector2d&
       metres_per_pixel(scale),
       corner_m(corner),
       pixels(static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px), background) {}
+
+Raster enlarged(const Raster& raster, int side) {
+  Raster large(raster.width * side, raster.height * side, raster.metres_per_pixel / side, raster.corner_m, {});
+  for (int y = 0; y < large.height; ++y) {
+    for (int x = 0; x < large.width; ++x) large.at(x, y) = raster.at(x / side, y / side);
+  }
+  return large;
+}
 
 }  // namespace scanway

@@ -17,7 +17,7 @@ struct Colour {
 /// From `a` at share 0 to `b` at share 1.
 Colour mix(Colour a, Colour b, double share);
 
-/// Dark violet at 0 through blue and green to yellow at 1: equal steps look equal, in print and to the colour-blind
+/// Violet at 0 through blue and green to yellow at 1: equal steps look equal, in print and to the colour-blind
 /// too.
 Colour height_colour(double share);
 
@@ -31,10 +31,17 @@ struct Raster {
 
   Raster(int width, int height, double metres_per_pixel, const Eigen::Vector2d& corner_m, Colour background);
   /// x from the left, y from the top.
-  Colour& at(int x, int y) {
-    return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+  Colour& at(int x, int y) { return pixels[index(x, y)]; }
+  Colour at(int x, int y) const { return pixels[index(x, y)]; }
+
+ private:
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
   }
 };
+
+/// Every pixel as a square of `side` x `side` pixels.
+Raster enlarged(const Raster& raster, int side);
 
 /// The long side of a picture's map, in pixels.
 constexpr int kLongSide = 1500;
