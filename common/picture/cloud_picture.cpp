@@ -44,7 +44,7 @@ struct Frame {
 };
 
 Frame frame_around(const std::vector<Eigen::Vector3f>& points, int pixels_a_spot) {
-  constexpr double kStray = 0.002, kBorder_m = 0.5;
+  constexpr double kStray = 0.004, kBorder_m = 0.5;
   const auto [x_low, x_high] = extent(points, 0, kStray);
   const auto [y_low, y_high] = extent(points, 1, kStray);
   const double width_m = x_high - x_low + 2 * kBorder_m, height_m = y_high - y_low + 2 * kBorder_m;
