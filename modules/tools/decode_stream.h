@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <exception>
+#include <ostream>
+#include <span>
+
+#include <nlohmann/json.hpp>
+
+#include "common/bytes/frame_finder.h"
+
+namespace scanway::tools {
+
+/// One JSON document on a line of its own. Bytes that are no UTF-8 are shown as U+FFFD.
+inline void write_line(std::ostream& out, const nlohmann::ordered_json& line) {
+  out << line.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
+}
+
+inline nlohmann::ordered_json bad_line(const Stretch& stretch, const std::string& reason) {
+  return {{"type", "bad"}, {"offset", stretch.offset}, {"length", stretch.length}, {"reason", reason}};
+}
+
+/// Writes a line for each stretch of `bytes`: what `line_of_frame` makes of a whole frame, or of type `bad` where there
+/// is none, or where that throws.
+template <class LineOfFrame>
+void decode_stream(FrameFinder& finder, std::span<const std::uint8_t> bytes, std::ostream& out,
+                   const LineOfFrame& line_of_frame) {
+  finder.push(bytes);
+  finder.finish();
+  while (const auto stretch = finder.next()) {
+    if (!stretch->whole) {
+      write_line(out, bad_line(*stretch, stretch->reason));
+      continue;
+    }
+    try {
+      write_line(out, line_of_frame(stretch->bytes));
+    } catch (const std::exception& error) {
+      write_line(out, bad_line(*stretch, error.what()));
+    }
+  }
+}
+
+}  // namespace scanway::tools
