@@ -1,0 +1,126 @@
+#include "modules/mapper/core/costmap/evidence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "common/parallel/blocks.h"
+
+namespace scanway {
+namespace {
+
+Cell cell_at(double x, double y, double resolution) {
+  return {static_cast<std::int32_t>(std::floor(x / resolution)), static_cast<std::int32_t>(std::floor(y / resolution))};
+}
+
+void count(std::uint8_t& counter) { counter = static_cast<std::uint8_t>(std::min(counter + 1, 255)); }
+
+void count_returns(SweepEvidence& evidence, const MapPoints& points, const GroundSurface& ground,
+                   const SweepViewConfig& config, double resolution) {
+  for (const Eigen::Vector3f& point : points.points) {
+    const Eigen::Vector3d from_sensor = point.cast<double>() - points.origin;
+    if (from_sensor.head<2>().squaredNorm() > config.max_range_m * config.max_range_m) continue;
+    const double above = point.z() - ground.height_at(point.x(), point.y());
+    if (!is_obstacle_return(above, from_sensor.z(), from_sensor.norm(), config)) continue;
+    const Cell cell = cell_at(point.x(), point.y(), resolution);
+    count(evidence[CostMap::tile_of(cell)].returns[CostMap::index_in_tile(cell)]);
+  }
+}
+
+/// Whether anything was seen to be free in the tile; `tile` then says what.
+bool look_at_ground(Cell index, EvidenceTile& tile, const GroundSurface& ground, const SweepView& view,
+                    double resolution) {
+  bool any = false;
+  for (std::int32_t row = 0; row < CostTile::kSide; ++row) {
+    const double y = (index.y * CostTile::kSide + row + 0.5) * resolution;
+    for (std::int32_t column = 0; column < CostTile::kSide; ++column) {
+      const double x = (index.x * CostTile::kSide + column + 0.5) * resolution;
+      if (!ground.carried(x, y)) continue;
+      const std::size_t cell = static_cast<std::size_t>(row) * CostTile::kSide + column;
+      tile.ground[cell] = static_cast<std::uint8_t>(ground.support(x, y));
+      tile.beams[cell] = view.seen_empty(x, y, ground.height_at(x, y)) ? 1 : 0;
+      any = any || tile.beams[cell] != 0;
+    }
+  }
+  return any;
+}
+
+bool contains(const std::vector<Eigen::Vector2d>& polygon, const Eigen::Vector2d& p) {
+  bool inside = false;
+  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+    const Eigen::Vector2d &a = polygon[i], &b = polygon[j];
+    if ((a.y() > p.y()) == (b.y() > p.y())) continue;
+    if (p.x() < a.x() + (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y())) inside = !inside;
+  }
+  return inside;
+}
+
+void stand(SweepEvidence& evidence, const Robot::Body& body, const Pose& X_map_sweep, double resolution) {
+  std::vector<Eigen::Vector2d> corners;
+  double reach = 0.0;
+  const Eigen::Vector3d centre = X_map_sweep.translation();
+  for (const Eigen::Vector2d& corner : body.footprint) {
+    corners.push_back(transform_in_order(X_map_sweep, {corner.x(), corner.y(), 0.0}).head<2>());
+    reach = std::max(reach, (corners.back() - centre.head<2>()).norm());
+  }
+  const Cell low = cell_at(centre.x() - reach, centre.y() - reach, resolution);
+  const Cell high = cell_at(centre.x() + reach, centre.y() + reach, resolution);
+  for (std::int32_t y = low.y; y <= high.y; ++y) {
+    for (std::int32_t x = low.x; x <= high.x; ++x) {
+      if (!contains(corners, {(x + 0.5) * resolution, (y + 0.5) * resolution})) continue;
+      EvidenceTile& tile = evidence[CostMap::tile_of({x, y})];
+      const std::size_t cell = CostMap::index_in_tile({x, y});
+      tile.returns[cell] = 0;
+      tile.beams[cell] = tile.ground[cell] = 1;
+    }
+  }
+}
+
+}  // namespace
+
+SweepEvidence gather_evidence(const MapPoints& points, const GroundSurface& ground, const SweepView& view,
+                              const SweepViewConfig& config, const Robot::Body& body, const Pose& X_map_sweep,
+                              double resolution_m) {
+  SweepEvidence evidence;
+  count_returns(evidence, points, ground, config, resolution_m);
+
+  const double range = config.max_range_m;
+  const Cell low = CostMap::tile_of(cell_at(points.origin.x() - range, points.origin.y() - range, resolution_m));
+  const Cell high = CostMap::tile_of(cell_at(points.origin.x() + range, points.origin.y() + range, resolution_m));
+  std::vector<Cell> tiles;
+  for (std::int32_t y = low.y; y <= high.y; ++y) {
+    for (std::int32_t x = low.x; x <= high.x; ++x) tiles.push_back({x, y});
+  }
+  // Tiles that gain something are kept; the map itself is only touched after the loop, in order.
+  std::vector<std::unique_ptr<EvidenceTile>> seen(tiles.size());
+  for_blocks(tiles.size(), 16, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t i = begin; i < end; ++i) {
+      auto tile = std::make_unique<EvidenceTile>();
+      if (look_at_ground(tiles[i], *tile, ground, view, resolution_m)) seen[i] = std::move(tile);
+    }
+  });
+  for (std::size_t i = 0; i < tiles.size(); ++i) {
+    if (seen[i] == nullptr) continue;
+    EvidenceTile& tile = evidence[tiles[i]];
+    tile.beams = seen[i]->beams;
+    tile.ground = seen[i]->ground;
+  }
+  stand(evidence, body, X_map_sweep, resolution_m);
+  return evidence;
+}
+
+void apply_evidence(CostMap& map, const SweepEvidence& evidence) {
+  for (const auto& [index, tile] : evidence) {
+    CostTile* target = nullptr;
+    for (std::size_t cell = 0; cell < CostTile::kCells; ++cell) {
+      const CellState state = tile.state(cell);
+      if (state == CellState::unknown) continue;
+      if (target == nullptr) target = &map.tiles[index];
+      target->state[cell] = state;
+    }
+  }
+}
+
+}  // namespace scanway

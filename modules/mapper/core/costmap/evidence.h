@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+
+#include "common/geometry/pose.h"
+#include "common/grid/cost_map.h"
+#include "common/robot/robot.h"
+#include "modules/mapper/core/cloud/map_points.h"
+#include "modules/mapper/core/costmap/sweep_view.h"
+#include "modules/mapper/core/ground/ground_surface.h"
+
+namespace scanway {
+
+/// What one sweep says of one tile's cells, in integers (each stays at 255 when it is more).
+struct EvidenceTile {
+  std::array<std::uint8_t, CostTile::kCells> returns{};  ///< Returns between the climbable step and the body's height.
+  std::array<std::uint8_t, CostTile::kCells> beams{};    ///< 1 where beams passed and saw the air empty to the ground.
+  std::array<std::uint8_t, CostTile::kCells> ground{};   ///< Ground columns within 0.3 m that agree; 0: not carried.
+
+  CellState state(std::size_t cell) const {
+    if (returns[cell] > 0) return CellState::occupied;
+    return beams[cell] > 0 && ground[cell] > 0 ? CellState::free : CellState::unknown;
+  }
+};
+
+/// One sweep's evidence, by tile index of the cost map.
+using SweepEvidence = std::map<Cell, EvidenceTile>;
+
+/// The evidence of a sweep whose points are in the map frame. The cells under the robot's footprint at X_map_sweep are
+/// free: the robot stands there, and no beam of its own can show it.
+SweepEvidence gather_evidence(const MapPoints& points, const GroundSurface& ground, const SweepView& view,
+                              const SweepViewConfig& config, const Robot::Body& body, const Pose& X_map_sweep,
+                              double resolution_m);
+
+/// Lays a sweep over the map: where it has a view, it wins over what was known before.
+void apply_evidence(CostMap& map, const SweepEvidence& evidence);
+
+}  // namespace scanway

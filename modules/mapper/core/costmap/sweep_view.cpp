@@ -1,0 +1,168 @@
+#include "modules/mapper/core/costmap/sweep_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "common/parallel/blocks.h"
+#include "modules/mapper/core/cloud/radix_sort.h"
+
+namespace scanway {
+namespace {
+
+constexpr int kSectors = 2880;
+constexpr double kBin = 0.02;           // metres
+constexpr double kHiddenDepth = 0.5;    // metres behind an obstacle's return
+constexpr double kMaxSpacing = 0.15;    // metres
+constexpr float kNoBeam = std::numeric_limits<float>::infinity();
+
+/// Sector of the direction (x, y). A polynomial of our own: this is called for every cell of the map, and needs a
+/// hundredth of a sector only.
+int sector_of(float x, float y) {
+  const float ax = std::fabs(x), ay = std::fabs(y);
+  const float high = std::max(ax, ay), low = std::min(ax, ay);
+  const float t = high > 0.0f ? low / high : 0.0f;
+  const float s = t * t;
+  // Abramowitz and Stegun 4.4.49, error below 1e-5 rad
+  float angle = t * (0.9998660f + s * (-0.3302995f + s * (0.1801410f + s * (-0.0851330f + s * 0.0208351f))));
+  constexpr float kPi = 3.14159265f;
+  if (ay > ax) angle = 0.5f * kPi - angle;
+  if (x < 0.0f) angle = kPi - angle;
+  if (y < 0.0f) angle = 2.0f * kPi - angle;
+  const int sector = static_cast<int>(angle * (static_cast<float>(kSectors) / (2.0f * kPi)));
+  return sector >= kSectors ? sector - kSectors : sector;
+}
+
+/// Median distance to the nearest neighbour, over about 2,000 returns from 1 to 8 m.
+double median_spacing(const MapPoints& points) {
+  struct Entry {
+    std::uint64_t key;
+    Eigen::Vector3f p;
+  };
+  const auto key_of = [](const Eigen::Vector3f& p, int dx, int dy, int dz) {
+    const auto index = [](float v, int d) {
+      return static_cast<std::uint64_t>(std::floor(v / kMaxSpacing) + 100000.0 + d);
+    };
+    return index(p.x(), dx) << 42 | index(p.y(), dy) << 21 | index(p.z(), dz);
+  };
+  std::vector<Entry> entries;
+  const Eigen::Vector3f origin = points.origin.cast<float>();
+  for (const Eigen::Vector3f& point : points.points) {
+    const Eigen::Vector3f p = point - origin;
+    const float range2 = p.x() * p.x() + p.y() * p.y() + p.z() * p.z();
+    if (range2 > 1.0f && range2 < 64.0f) entries.push_back({key_of(p, 0, 0, 0), p});
+  }
+  radix_sort_by_key(entries);
+  std::vector<float> nearest;
+  const std::size_t stride = std::max<std::size_t>(1, entries.size() / 2000);
+  for (std::size_t i = 0; i < entries.size(); i += stride) {
+    float best = static_cast<float>(kMaxSpacing * kMaxSpacing);
+    for (int n = 0; n < 27; ++n) {
+      const std::uint64_t key = key_of(entries[i].p, n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
+      auto at = std::lower_bound(entries.begin(), entries.end(), key,
+                                 [](const Entry& entry, std::uint64_t k) { return entry.key < k; });
+      for (; at != entries.end() && at->key == key; ++at) {
+        if (&*at == &entries[i]) continue;
+        const Eigen::Vector3f d = at->p - entries[i].p;
+        best = std::min(best, d.x() * d.x() + d.y() * d.y() + d.z() * d.z());
+      }
+    }
+    nearest.push_back(best);
+  }
+  if (nearest.empty()) return kMaxSpacing;
+  std::nth_element(nearest.begin(), nearest.begin() + nearest.size() / 2, nearest.end());
+  return std::sqrt(nearest[nearest.size() / 2]);
+}
+
+}  // namespace
+
+bool is_obstacle_return(double above, double drop, double range, const SweepViewConfig& config) {
+  const double sigma_up = config.range_sigma_m * std::fabs(drop) / range;
+  const double threshold = std::max(config.climbable_step_m + config.range_sigma_m, 5.0 * sigma_up);
+  return above > threshold && above <= config.body_height_m;
+}
+
+SweepView::SweepView(const MapPoints& points, const GroundSurface& ground, const SweepViewConfig& config)
+    : config_(config),
+      origin_(points.origin),
+      spacing_(median_spacing(points)),
+      bins_(static_cast<int>(config.max_range_m / kBin)) {
+  lowest_.assign(static_cast<std::size_t>(kSectors) * bins_, kNoBeam);
+  hidden_.assign(lowest_.size(), 0);
+  add_returns(points, ground);
+  look_around();
+}
+
+void SweepView::add_returns(const MapPoints& points, const GroundSurface& ground) {
+  const double step = config_.climbable_step_m, floor_band = config_.climbable_step_m + config_.range_sigma_m;
+  std::vector<std::int32_t> edges(lowest_.size() + 1, 0);  // +1 where a hidden stretch begins, -1 behind its end
+  for (const Eigen::Vector3f& point : points.points) {
+    const Eigen::Vector3d p = point.cast<double>() - origin_;
+    const double range = std::sqrt(p.x() * p.x() + p.y() * p.y());
+    const double above = point.z() - ground.height_at(point.x(), point.y());
+    if (above < -floor_band || range < kBin) continue;
+    const std::size_t row =
+        static_cast<std::size_t>(sector_of(static_cast<float>(p.x()), static_cast<float>(p.y()))) * bins_;
+    const int bin = std::min(static_cast<int>(range / kBin), bins_ - 1);
+    float& lowest = lowest_[row + bin];
+    lowest = std::min(lowest, static_cast<float>(p.z() / range));
+    if (range >= config_.max_range_m) continue;
+    if (!is_obstacle_return(above, p.z(), p.norm(), config_)) continue;
+    const double sensor_above = above - p.z();
+    // by similar triangles: where the beam, had it gone on, would have come down to the step
+    const double landing = above < sensor_above ? range * (sensor_above - step) / (sensor_above - above) : 1e9;
+    const double end = std::min({landing, range + kHiddenDepth, config_.max_range_m - kBin});
+    ++edges[row + bin];
+    --edges[row + std::max(bin, static_cast<int>(end / kBin)) + 1];
+  }
+  for_blocks(kSectors, 64, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t sector = begin; sector < end; ++sector) {
+      float* lowest = &lowest_[sector * bins_];
+      for (int bin = bins_ - 2; bin >= 0; --bin) lowest[bin] = std::min(lowest[bin], lowest[bin + 1]);
+    }
+  });
+  std::int32_t open = 0;  // every stretch ends in its own sector
+  for (std::size_t i = 0; i < hidden_.size(); ++i) hidden_[i] = (open += edges[i]) > 0 ? 1 : 0;
+}
+
+void SweepView::look_around() {
+  std::vector<float> lowest(lowest_.size());
+  std::vector<std::uint8_t> hidden(hidden_.size());
+  constexpr double kSector = 2.0 * 3.14159265358979 / kSectors;
+  for_blocks(kSectors, 64, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t sector = begin; sector < end; ++sector) {
+      for (int bin = 0; bin < bins_; ++bin) {
+        const double lateral = 0.75 * spacing_ / ((bin + 0.5) * kBin * kSector);
+        const int reach = std::clamp(static_cast<int>(lateral + 0.5), 1, kSectors / 4);
+        float least = kNoBeam;
+        std::uint8_t any = 0;
+        for (int d = -reach; d <= reach; ++d) {
+          const std::size_t other = (sector + kSectors + d) % kSectors * bins_ + bin;
+          least = std::min(least, lowest_[other]);
+          any |= hidden_[other];
+        }
+        lowest[sector * bins_ + bin] = least;
+        hidden[sector * bins_ + bin] = any;
+      }
+    }
+  });
+  lowest_.swap(lowest);
+  hidden_.swap(hidden);
+}
+
+bool SweepView::seen_empty(double x, double y, double ground_height) const {
+  const double dx = x - origin_.x(), dy = y - origin_.y();
+  const double range = std::sqrt(dx * dx + dy * dy);
+  const int bin = static_cast<int>(range / kBin);
+  if (bin >= bins_) return false;
+  const std::size_t at =
+      static_cast<std::size_t>(sector_of(static_cast<float>(dx), static_cast<float>(dy))) * bins_ + bin;
+  if (hidden_[at] != 0) return false;
+  const double sensor_above = origin_.z() - ground_height;
+  const double beam_above = sensor_above + lowest_[at] * range - 0.5 * config_.divergence * range;
+  // The next return of a thinned floor is up to 1.5 steps further out; its beam passes here that much higher.
+  const double thinned = 1.5 * spacing_ * sensor_above / std::max(range, kBin);
+  return beam_above <= std::min(config_.climbable_step_m + config_.range_sigma_m + thinned, config_.body_height_m);
+}
+
+}  // namespace scanway

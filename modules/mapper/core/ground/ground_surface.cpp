@@ -1,0 +1,246 @@
+#include "modules/mapper/core/ground/ground_surface.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "common/math/repeatable.h"
+
+namespace scanway {
+namespace {
+
+constexpr double kUnit = 1e-4;           // of heights
+constexpr double kMaxHeight = 3.0;       // of points above or below the ground plane that may yet be ground
+constexpr double kStartRange = 2.0;      // floor this near to the robot is what it stands on
+constexpr double kShrinkage = 0.01;      // m^2: draws a fitted slope towards the ground plane's where points are few
+constexpr int kFillRings = 50;           // columns: how far a height is carried over to where there is no ground
+
+std::int32_t to_units(double metres) { return static_cast<std::int32_t>(std::floor(metres / kUnit + 0.5)); }
+
+/// The columns within reach of a column, itself left out, nearest first.
+std::vector<Eigen::Vector2i> reachable_offsets() {
+  std::vector<Eigen::Vector2i> offsets;
+  constexpr int reach = GroundSurface::kReach;
+  for (int y = -reach; y <= reach; ++y) {
+    for (int x = -reach; x <= reach; ++x) {
+      if ((x != 0 || y != 0) && x * x + y * y <= reach * reach) offsets.emplace_back(x, y);
+    }
+  }
+  std::stable_sort(offsets.begin(), offsets.end(),
+                   [](const auto& a, const auto& b) { return a.squaredNorm() < b.squaredNorm(); });
+  return offsets;
+}
+
+/// The same, computed once.
+const std::vector<Eigen::Vector2i>& reachable() {
+  static const std::vector<Eigen::Vector2i> offsets = reachable_offsets();
+  return offsets;
+}
+
+}  // namespace
+
+GroundSurface::GroundSurface(const MapPoints& points, const GroundPlane& plane, const GroundSurfaceConfig& config)
+    : plane_(plane), config_(config), band_(to_units(config.climbable_step_m + config.range_sigma_m)) {
+  const int half = static_cast<int>(std::ceil(config.max_range_m / kColumn));
+  side_ = 2 * half;
+  corner_x_ = (std::floor(points.origin.x() / kColumn) - half) * kColumn;
+  corner_y_ = (std::floor(points.origin.y() / kColumn) - half) * kColumn;
+  columns_.resize(static_cast<std::size_t>(side_) * side_);
+  sort_points(points);
+  start_around_robot();
+  cross_gaps();
+  for (int cy = 0; cy < side_; ++cy) {
+    for (int cx = 0; cx < side_; ++cx) fit_column(cx, cy);
+  }
+  fill_outwards();
+}
+
+void GroundSurface::sort_points(const MapPoints& points) {
+  std::vector<Point> unsorted;
+  first_.assign(columns_.size() + 1, 0);
+  for (const Eigen::Vector3f& p : points.points) {
+    const double x = (p.x() - corner_x_) / kColumn, y = (p.y() - corner_y_) / kColumn;
+    const double u = p.z() - plane_.height_at(p.x(), p.y());
+    if (!(x >= 0.0 && y >= 0.0 && x < side_ && y < side_) || std::fabs(u) > kMaxHeight) continue;
+    const int cx = static_cast<int>(x), cy = static_cast<int>(y);
+    const auto within = [](double v, int c) { return static_cast<std::int16_t>((v - c) * kColumn / kUnit); };
+    unsorted.push_back({at(cx, cy), within(x, cx), within(y, cy), to_units(u)});
+    ++first_[unsorted.back().key + 1];
+  }
+  for (std::size_t c = 0; c < columns_.size(); ++c) first_[c + 1] += first_[c];
+  points_.resize(unsorted.size());
+  std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+  for (const Point& point : unsorted) points_[next[point.key]++] = point;
+}
+
+bool GroundSurface::join(std::size_t index, std::int32_t expected) {
+  Column& column = columns_[index];
+  if (column.joined || first_[index] == first_[index + 1]) return false;
+  // Twice: the second time about the mean of the first, so that half of a small step is not cut off.
+  for (int round = 0; round < 2; ++round) {
+    Column ground;
+    int above = 0;
+    for (std::size_t i = first_[index]; i < first_[index + 1]; ++i) {
+      const Point& p = points_[i];
+      const std::int32_t over = p.u - expected;
+      above += over > band_ && over <= band_ + 1000 ? 1 : 0;
+      if (std::abs(over) > band_) continue;
+      ground.x_sum += p.x, ground.y_sum += p.y, ground.u_sum += p.u, ++ground.count;
+    }
+    // The lower flank of something higher is no floor: most of what is near the expected height must be at it.
+    if (ground.count == 0 || 2 * ground.count < above) return false;
+    column = ground;
+    expected = ground.u_sum / ground.count;
+  }
+  column.joined = true;
+  return true;
+}
+
+void GroundSurface::grow(std::vector<std::size_t> front) {
+  for (std::size_t next = 0; next < front.size(); ++next) {  // first in, first out
+    const int cx = static_cast<int>(front[next] % side_), cy = static_cast<int>(front[next] / side_);
+    const std::int32_t height = mean(front[next]);
+    for (const Eigen::Vector2i& offset : reachable()) {
+      const int x = cx + offset.x(), y = cy + offset.y();
+      if (inside(x, y) && join(at(x, y), height)) front.push_back(at(x, y));
+    }
+  }
+}
+
+void GroundSurface::start_around_robot() {
+  const int centre = side_ / 2;
+  std::vector<std::size_t> front;
+  // Floor within reach of where the robot stands; failing that, the nearest ring that shows any.
+  for (double range = kStartRange; front.empty() && range < config_.max_range_m; range += 1.0) {
+    const int radius = static_cast<int>(range / kColumn);
+    for (int y = -radius; y <= radius; ++y) {
+      for (int x = -radius; x <= radius; ++x) {
+        if (x * x + y * y > radius * radius || !inside(centre + x, centre + y)) continue;
+        if (join(at(centre + x, centre + y), 0)) front.push_back(at(centre + x, centre + y));
+      }
+    }
+  }
+  grow(std::move(front));
+}
+
+void GroundSurface::cross_gaps() {
+  // Square rings outwards, so that whatever lies towards the robot has been decided before.
+  const int centre = side_ / 2;
+  for (int ring = 1; ring < centre; ++ring) {
+    for (int y = -ring; y <= ring; ++y) {
+      const int step = std::abs(y) == ring ? 1 : 2 * ring;
+      for (int x = -ring; x <= ring; x += step) {
+        const std::size_t column = at(centre + x, centre + y);
+        if (columns_[column].joined || first_[column] == first_[column + 1]) continue;
+        std::int32_t expected = 0;
+        for (int r = ring - 1; r > 0; --r) {  // the nearest joined column on the line to the robot
+          const Column& towards = columns_[at(centre + x * r / ring, centre + y * r / ring)];
+          if (!towards.joined) continue;
+          expected = towards.u_sum / towards.count;
+          break;
+        }
+        if (join(column, expected)) grow({column});
+      }
+    }
+  }
+}
+
+void GroundSurface::fit_column(int cx, int cy) {
+  double n = 0.0, x1 = 0.0, y1 = 0.0, u1 = 0.0, xx = 0.0, xy = 0.0, yy = 0.0, xu = 0.0, yu = 0.0;
+  std::array<Eigen::Vector3d, 64> samples;
+  std::size_t count = 0;
+  const auto take = [&](int x, int y) {
+    if (!inside(cx + x, cy + y)) return;
+    const Column& c = columns_[at(cx + x, cy + y)];
+    if (!c.joined) return;
+    const double points = c.count;
+    // relative to the centre of this column
+    const Eigen::Vector3d p((x - 0.5) * kColumn + c.x_sum / points * kUnit,
+                            (y - 0.5) * kColumn + c.y_sum / points * kUnit, c.u_sum / points * kUnit);
+    samples[count++] = p;
+    n += 1.0, x1 += p.x(), y1 += p.y(), u1 += p.z();
+    xx += p.x() * p.x(), xy += p.x() * p.y(), yy += p.y() * p.y(), xu += p.x() * p.z(), yu += p.y() * p.z();
+  };
+  take(0, 0);
+  for (const Eigen::Vector2i& offset : reachable()) take(offset.x(), offset.y());
+  Column& column = columns_[at(cx, cy)];
+  column.support = static_cast<std::uint8_t>(count);
+  if (count < 2) return;
+
+  const double sxx = xx - x1 * x1 / n + kShrinkage, syy = yy - y1 * y1 / n + kShrinkage, sxy = xy - x1 * y1 / n;
+  const double sxu = xu - x1 * u1 / n, syu = yu - y1 * u1 / n;
+  const double determinant = sxx * syy - sxy * sxy;
+  const double a = (sxu * syy - syu * sxy) / determinant, b = (syu * sxx - sxu * sxy) / determinant;
+  const double c = (u1 - a * x1 - b * y1) / n;
+  const double limit = config_.climbable_step_m + config_.range_sigma_m;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (std::fabs(samples[i].z() - (c + a * samples[i].x() + b * samples[i].y())) > limit) return;
+  }
+  const double slope_x = plane_.slope_x + a, slope_y = plane_.slope_y + b;
+  const double gradient = std::sqrt(slope_x * slope_x + slope_y * slope_y);
+  if (repeatable::atan2(gradient, 1.0) > config_.climbable_slope) return;
+  column.carried = true;
+  column.height = static_cast<float>(c);
+  column.slope_x = static_cast<float>(a);
+  column.slope_y = static_cast<float>(b);
+}
+
+void GroundSurface::fill_outwards() {
+  std::vector<std::size_t> front;
+  std::vector<bool> known(columns_.size());
+  for (std::size_t c = 0; c < columns_.size(); ++c) {
+    known[c] = columns_[c].carried;
+    if (known[c]) front.push_back(c);
+  }
+  for (int ring = 0; ring < kFillRings && !front.empty(); ++ring) {
+    std::vector<std::size_t> next;
+    for (const std::size_t c : front) {
+      const int cx = static_cast<int>(c % side_), cy = static_cast<int>(c / side_);
+      for (const Eigen::Vector2i& step : {Eigen::Vector2i(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
+        const int x = cx + step.x(), y = cy + step.y();
+        if (!inside(x, y) || known[at(x, y)]) continue;
+        known[at(x, y)] = true;
+        columns_[at(x, y)].height = columns_[c].height;
+        next.push_back(at(x, y));
+      }
+    }
+    front.swap(next);
+  }
+}
+
+const GroundSurface::Column* GroundSurface::column_of(double x, double y, double& from_centre_x,
+                                                      double& from_centre_y) const {
+  const double fx = (x - corner_x_) / kColumn, fy = (y - corner_y_) / kColumn;
+  if (!(fx >= 0.0 && fy >= 0.0 && fx < side_ && fy < side_)) return nullptr;
+  const int cx = static_cast<int>(fx), cy = static_cast<int>(fy);
+  from_centre_x = (fx - cx - 0.5) * kColumn;
+  from_centre_y = (fy - cy - 0.5) * kColumn;
+  return &columns_[at(cx, cy)];
+}
+
+bool GroundSurface::carried(double x, double y) const {
+  double dx = 0.0, dy = 0.0;
+  const Column* column = column_of(x, y, dx, dy);
+  return column != nullptr && column->carried;
+}
+
+int GroundSurface::support(double x, double y) const {
+  double dx = 0.0, dy = 0.0;
+  const Column* column = column_of(x, y, dx, dy);
+  return column == nullptr ? 0 : column->support;
+}
+
+double GroundSurface::height_at(double x, double y) const {
+  double dx = 0.0, dy = 0.0;
+  const Column* column = column_of(x, y, dx, dy);
+  if (column == nullptr) return plane_.height_at(x, y);
+  const double local = column->height + column->slope_x * dx + column->slope_y * dy;
+  return plane_.height_at(x, y) + local;
+}
+
+double GroundSurface::area_m2() const {
+  const auto joined = std::count_if(columns_.begin(), columns_.end(), [](const Column& c) { return c.joined; });
+  return static_cast<double>(joined) * kColumn * kColumn;
+}
+
+}  // namespace scanway

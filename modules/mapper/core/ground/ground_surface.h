@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "modules/mapper/core/cloud/map_points.h"
+#include "modules/mapper/core/ground/ground_plane.h"
+
+namespace scanway {
+
+struct GroundSurfaceConfig {
+  double climbable_step_m = 0.02;
+  double climbable_slope = 0.2618;  ///< Radians.
+  double range_sigma_m = 0.01;
+  double max_range_m = 30.0;  ///< From the sensor, horizontally: the surface ends there.
+};
+
+/// The ground of one sweep, piecewise: what the robot reaches from where it stands without a step that it cannot climb.
+///
+/// Space is cut into columns of 0.1 m. Starting around the robot, a column joins when it shows points within the
+/// climbable step (widened by the range's deviation, as the paper widens its band) of a joined column at most 0.3 m
+/// away, heights being counted from the sweep's ground plane, so that an even slope is no step. Floor across a gap or a
+/// shadow joins when it lies at the height of the nearest floor towards the robot. A platform, a table or a kerb that
+/// is too high to climb therefore never joins, however flat it is.
+///
+/// A column is carried when at least two joined columns within 0.3 m agree on one plane: none off it by more than the
+/// step, and its slope climbable. The height in the column is that plane's.
+class GroundSurface {
+ public:
+  static constexpr double kColumn = 0.1;  ///< Metres.
+  static constexpr int kReach = 3;        ///< Columns: 0.3 m.
+
+  GroundSurface(const MapPoints& points, const GroundPlane& plane, const GroundSurfaceConfig& config);
+
+  /// Whether the ground model carries (x, y), map frame.
+  bool carried(double x, double y) const;
+  /// Height of the ground at (x, y): of the column's plane where it is carried, else of the nearest carried column's
+  /// ground, else (beyond the surface) of the ground plane.
+  double height_at(double x, double y) const;
+  /// Joined columns within 0.3 m of (x, y).
+  int support(double x, double y) const;
+  const GroundPlane& plane() const { return plane_; }
+  double area_m2() const;  ///< Of the joined columns.
+
+ private:
+  /// Heights are above the ground plane, in 0.1 mm, as integers: their sums do not depend on the order of points.
+  struct Column {
+    std::int32_t x_sum = 0, y_sum = 0, u_sum = 0, count = 0;  ///< Of its ground points; x, y from its corner.
+    bool joined = false;
+    bool carried = false;
+    std::uint8_t support = 0;
+    float height = 0.0f, slope_x = 0.0f, slope_y = 0.0f;  ///< Above the ground plane; at the column's centre.
+  };
+  struct Point {
+    std::uint64_t key;  ///< Its column.
+    std::int16_t x, y;
+    std::int32_t u;
+  };
+
+  void sort_points(const MapPoints& points);
+  bool join(std::size_t column, std::int32_t expected);
+  void grow(std::vector<std::size_t> front);
+  void start_around_robot();
+  void cross_gaps();
+  void fit_column(int cx, int cy);
+  void fill_outwards();
+  std::int32_t mean(std::size_t column) const { return columns_[column].u_sum / columns_[column].count; }
+  bool inside(int cx, int cy) const { return cx >= 0 && cy >= 0 && cx < side_ && cy < side_; }
+  std::size_t at(int cx, int cy) const { return static_cast<std::size_t>(cy) * side_ + cx; }
+  /// The column that (x, y) lies in, or null.
+  const Column* column_of(double x, double y, double& from_centre_x, double& from_centre_y) const;
+
+  GroundPlane plane_;
+  GroundSurfaceConfig config_;
+  int side_ = 0;            ///< Columns along an edge of the square.
+  double corner_x_ = 0.0;   ///< Map coordinates of the square's lowest corner: multiples of kColumn.
+  double corner_y_ = 0.0;
+  std::int32_t band_ = 0;
+  std::vector<Column> columns_;
+  std::vector<Point> points_;        ///< By column.
+  std::vector<std::size_t> first_;   ///< A column's first point; one more at the end.
+};
+
+}  // namespace scanway
