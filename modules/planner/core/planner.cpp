@@ -1,0 +1,154 @@
+#include "modules/planner/core/planner.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "modules/planner/core/path.h"
+#include "modules/planner/core/search/obstruction.h"
+
+namespace scanway::planning {
+namespace {
+
+/// All cells of the map's tiles.
+CellRectangle extent_of(const CostMap& map) {
+  CellRectangle all = {map.tiles.begin()->first, map.tiles.begin()->first};
+  for (const auto& entry : map.tiles) {
+    const Cell& tile = entry.first;
+    all.low = {std::min(all.low.x, tile.x), std::min(all.low.y, tile.y)};
+    all.high = {std::max(all.high.x, tile.x), std::max(all.high.y, tile.y)};
+  }
+  return {{all.low.x * CostTile::kSide, all.low.y * CostTile::kSide},
+          {(all.high.x + 1) * CostTile::kSide, (all.high.y + 1) * CostTile::kSide}};
+}
+
+const char* words_of(PlanStatus status) {
+  switch (status) {
+    case PlanStatus::ok:
+      return "ok";
+    case PlanStatus::no_map:
+      return "no map";
+    case PlanStatus::start_off_map:
+      return "start off the map";
+    case PlanStatus::goal_off_map:
+      return "goal off the map";
+    case PlanStatus::start_in_obstacle:
+      return "start in an obstacle";
+    case PlanStatus::goal_in_obstacle:
+      return "goal in an obstacle";
+    case PlanStatus::start_unknown:
+      return "start unknown";
+    case PlanStatus::goal_unknown:
+      return "goal unknown";
+    case PlanStatus::start_too_tight:
+      return "start too tight for this body";
+    case PlanStatus::goal_too_tight:
+      return "goal too tight for this body";
+    case PlanStatus::walled_in:
+      return "walled in";
+    case PlanStatus::only_through_unknown:
+      return "only through unknown";
+    case PlanStatus::too_narrow:
+      return "too narrow for this body";
+  }
+  return "";
+}
+
+}  // namespace
+
+Planner::Planner(const Robot& robot, BodyMode mode) : robot_(robot) {
+  options_.mode = mode;
+  options_.unknown = robot.planning.unknown;
+  options_.unknown_price = robot.planning.unknown_price;
+  options_.clearance_weight = robot.planning.clearance_weight;
+}
+
+void Planner::set_map(const CostMap& map, std::optional<CellRectangle> bounds) {
+  given_bounds_ = bounds;
+  rebuild(map);
+}
+
+void Planner::rebuild(const CostMap& map) {
+  finder_.reset();
+  terrain_.reset();
+  if (map.tiles.empty()) return;
+  if (!body_ || resolution_m_ != map.resolution_m)
+    body_ = std::make_unique<Body>(robot_.body.footprint, map.resolution_m);
+  resolution_m_ = map.resolution_m;
+  origin_m_ = {map.origin_x_m, map.origin_y_m};
+  terrain_ = std::make_unique<Terrain>(map, given_bounds_.value_or(extent_of(map)), *body_, options_);
+  finder_ = std::make_unique<RouteFinder>(*terrain_);
+}
+
+void Planner::update(const CostMap& map, const std::vector<Cell>& tiles) {
+  const bool fits =
+      terrain_ && std::all_of(tiles.begin(), tiles.end(), [this](Cell tile) { return terrain_->holds_tile(tile); });
+  if (!fits) return rebuild(map);
+  if (!given_bounds_ && !map.tiles.empty() && !terrain_->grow(extent_of(map))) return rebuild(map);
+  finder_->change(terrain_->update(map, tiles));
+}
+
+std::optional<Cell> Planner::cell_at(const Eigen::Vector2d& point_m) const {
+  const Eigen::Vector2d at = (point_m - origin_m_) / resolution_m_;
+  const CellRectangle& bounds = terrain_->bounds();
+  if (!(at.x() >= bounds.low.x && at.y() >= bounds.low.y && at.x() < bounds.high.x && at.y() < bounds.high.y)) {
+    return std::nullopt;
+  }
+  return Cell{static_cast<std::int32_t>(std::floor(at.x())), static_cast<std::int32_t>(std::floor(at.y()))};
+}
+
+bool Planner::has_room(Cell cell) {
+  const std::uint32_t index = terrain_->frame().index(cell);
+  const Terrain::Class what = Terrain::class_of(terrain_->field(index));
+  if (what == Terrain::Class::tight) return terrain_->headings(terrain_->slot(index)) != 0;
+  return what == Terrain::Class::roomy;
+}
+
+PlanStatus Planner::check(std::optional<Cell> start, std::optional<Cell> goal) {
+  if (!start) return PlanStatus::start_off_map;
+  if (!goal) return PlanStatus::goal_off_map;
+  if (terrain_->is_occupied(*start)) return PlanStatus::start_in_obstacle;
+  if (terrain_->is_occupied(*goal)) return PlanStatus::goal_in_obstacle;
+  if (terrain_->blocks(*start)) return PlanStatus::start_unknown;
+  if (terrain_->blocks(*goal)) return PlanStatus::goal_unknown;
+  if (!has_room(*start)) return PlanStatus::start_too_tight;
+  if (!has_room(*goal)) return PlanStatus::goal_too_tight;
+  return PlanStatus::ok;
+}
+
+void Planner::explain(PlanResult& result, Cell start, Cell goal) const {
+  const Obstruction why = find_obstruction(*terrain_, start, goal);
+  if (why.kind == Obstruction::Kind::walled_in) result.status = PlanStatus::walled_in;
+  if (why.kind == Obstruction::Kind::only_through_unknown) result.status = PlanStatus::only_through_unknown;
+  if (why.kind != Obstruction::Kind::too_narrow) return;
+  result.status = PlanStatus::too_narrow;
+  const Eigen::Vector2d at = MapScale{resolution_m_, origin_m_}.middle_of(why.narrowest);
+  result.reason = fmt::format("{} at ({:.2f}, {:.2f}): {:.2f} m wide there", words_of(result.status), at.x(), at.y(),
+                              why.width_cells * resolution_m_);
+}
+
+PlanResult Planner::plan(const Eigen::Vector2d& start_m, const Eigen::Vector2d& goal_m) {
+  PlanResult result;
+  result.reason = words_of(result.status);
+  if (!terrain_) return result;
+  const MapScale scale = {resolution_m_, origin_m_};
+  const std::optional<Cell> start = cell_at(start_m);
+  const std::optional<Cell> goal = cell_at(goal_m);
+  result.status = check(start, goal);
+  if (result.status == PlanStatus::ok) {
+    const std::optional<Route> route = finder_->find(*start, *goal);
+    result.effort = finder_->take_effort();
+    if (route) {
+      result.cost = route->cost_cells * resolution_m_;
+      result.path = poses_of(*route, scale);
+      measure(result, *terrain_, scale);
+    } else {
+      explain(result, *start, *goal);
+    }
+  }
+  if (result.reason.empty() || result.status != PlanStatus::too_narrow) result.reason = words_of(result.status);
+  return result;
+}
+
+}  // namespace scanway::planning

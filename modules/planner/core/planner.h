@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "common/grid/bounds.h"
+#include "common/grid/cost_map.h"
+#include "common/robot/robot.h"
+#include "modules/planner/core/body/terrain.h"
+#include "modules/planner/core/search/route_finder.h"
+
+namespace scanway::planning {
+
+/// A pose of the robot on a path, in `map`: the middle of a cell, or a point between two.
+struct PathPose {
+  double x_m = 0.0;
+  double y_m = 0.0;
+  double heading = 0.0;  ///< Radians, counter-clockwise from x.
+  bool operator==(const PathPose&) const = default;
+};
+
+enum class PlanStatus {
+  ok,
+  no_map,         ///< There is no known cell yet.
+  start_off_map,  ///< Also for a start that is no finite number; so is the goal.
+  goal_off_map,
+  start_in_obstacle,
+  goal_in_obstacle,
+  start_unknown,  ///< Under `never`.
+  goal_unknown,
+  start_too_tight,  ///< The start is free, but the body does not fit there at any heading.
+  goal_too_tight,
+  walled_in,             ///< Obstacles part the start from the goal.
+  only_through_unknown,  ///< Every way leads through unknown cells, and the policy is `never`.
+  too_narrow,            ///< There is a way, but not for this body.
+};
+
+/// A path, or why there is none.
+struct PlanResult {
+  PlanStatus status = PlanStatus::no_map;
+  /// "ok", or the reason in words, with the place where there is one.
+  std::string reason;
+  /// In driving order. Two poses in the same place are a turn in place; a step against its heading is driven backwards.
+  std::vector<PathPose> path;
+  double length_m = 0.0;
+  /// The length, each metre at its weight (docs/planning.md); what the search has made least.
+  double cost = 0.0;
+  /// From the footprint on its way (in modes point and paper: from the robot's centre) to the nearest point of an
+  /// occupied cell; infinity when there is none.
+  double clearance_m = 0.0;
+  Eigen::Vector2d clearance_at_m = Eigen::Vector2d::Zero();  ///< The robot's place there.
+  double unknown_share = 0.0;                                ///< Of the length, through cells nobody has seen.
+  Effort effort;
+};
+
+/// Plans on a cost map for a body, again and again: maps grow and change, the robot moves, goals move. What earlier
+/// plans found is used for the next one and changes nothing in its cost.
+class Planner {
+ public:
+  Planner(const Robot& robot, BodyMode mode);
+
+  /// The map from now on, in place of any earlier one. `bounds` is where the robot's centre may be; without it, all
+  /// tiles of the map. The map is copied in a form of its own. Throws std::length_error for more than 3 * 2^30 cells.
+  void set_map(const CostMap& map, std::optional<CellRectangle> bounds = std::nullopt);
+  /// These tiles (by tile index) have appeared, changed or gone. The map's resolution and origin are as before.
+  void update(const CostMap& map, const std::vector<Cell>& tiles);
+  /// Start and goal in metres in `map`.
+  PlanResult plan(const Eigen::Vector2d& start_m, const Eigen::Vector2d& goal_m);
+
+ private:
+  void rebuild(const CostMap& map);
+  std::optional<Cell> cell_at(const Eigen::Vector2d& point_m) const;
+  PlanStatus check(std::optional<Cell> start, std::optional<Cell> goal);
+  bool has_room(Cell cell);
+  void explain(PlanResult& result, Cell start, Cell goal) const;
+
+  Robot robot_;
+  TerrainOptions options_;
+  std::optional<CellRectangle> given_bounds_;
+  double resolution_m_ = 0.0;
+  Eigen::Vector2d origin_m_ = Eigen::Vector2d::Zero();
+  std::unique_ptr<Body> body_;
+  std::unique_ptr<Terrain> terrain_;
+  std::unique_ptr<RouteFinder> finder_;
+};
+
+}  // namespace scanway::planning
