@@ -12,7 +12,9 @@ namespace {
 
 constexpr int kSectors = 2880;
 constexpr double kBin = 0.02;           // metres
-constexpr double kHiddenDepth = 0.5;    // metres behind an obstacle's return
+constexpr double kSparseDepth = 0.5;    // metres behind an obstacle's return: the rows on a table top are this far apart
+constexpr double kTallDepth = 2.0;      // metres behind a return from what the sensor does not look over: a car's width
+constexpr double kLookOver = 0.3;       // metres: the sensor looks over what is this far below it
 constexpr double kMaxSpacing = 0.15;    // metres
 constexpr float kNoBeam = std::numeric_limits<float>::infinity();
 
@@ -111,7 +113,7 @@ void SweepView::add_returns(const MapPoints& points, const GroundSurface& ground
     const double sensor_above = above - p.z();
     // by similar triangles: where the beam, had it gone on, would have come down to the step
     const double landing = above < sensor_above ? range * (sensor_above - step) / (sensor_above - above) : 1e9;
-    const double end = std::min({landing, range + kHiddenDepth, config_.max_range_m - kBin});
+    const double end = std::min({landing, range + (p.z() < -kLookOver ? kSparseDepth : kTallDepth), config_.max_range_m - kBin});
     ++edges[row + bin];
     --edges[row + std::max(bin, static_cast<int>(end / kBin)) + 1];
   }

@@ -23,8 +23,10 @@ struct SweepViewConfig {
 /// what lies on the ground behind a low obstacle therefore stays unknown until a beam comes down to it. Returns from
 /// below the ground (mirrors, wet floor, pits) are no evidence of anything above it and are left out.
 ///
-/// Behind a return from an obstacle, up to 0.5 m or to where its beam would have reached the ground, the beam's further
-/// way is hidden: the sparse rows of returns from a table top do not open the table between them.
+/// Behind a return from an obstacle, but not beyond where its beam would have reached the ground, the beam's further way
+/// is hidden. It is for 0.5 m where the sensor looks down upon the obstacle: it shows how deep it is by returns from
+/// its top, however sparse, and these must not open it between them. It is for 2 m where the obstacle reaches up to the
+/// sensor: nothing shows its depth, and beams that go on below it (a car, a bench) see floor that it covers.
 ///
 /// Clouds are thinned in many ways: between two returns that are a thinning step apart, the beams have been thrown
 /// away. A polar cell looks at the sectors within 3/4 of that step, at least one on each side, for the lowest beam and
