@@ -24,7 +24,7 @@ inline nlohmann::ordered_json bad_line(const Stretch& stretch, const std::string
 /// is none, or where that throws.
 template <class LineOfFrame>
 void decode_stream(FrameFinder& finder, std::span<const std::uint8_t> bytes, std::ostream& out,
-                   const LineOfFrame& line_of_frame) {
+                   LineOfFrame line_of_frame) {
   finder.push(bytes);
   finder.finish();
   while (const auto stretch = finder.next()) {
