@@ -26,6 +26,7 @@ class VoxelCloud {
   /// Centroids in Morton order of their voxels, in the map frame, with the mean intensity (when points had any).
   PointCloud centroids() const;
 
+  double voxel_m() const { return voxel_m_; }
   std::size_t size() const { return voxels_.size(); }
   std::uint64_t points_out_of_extent() const { return points_out_of_extent_; }
 

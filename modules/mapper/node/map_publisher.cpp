@@ -1,0 +1,107 @@
+#include "modules/mapper/node/map_publisher.h"
+
+#include <cmath>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <octomap/OcTree.h>
+
+#include "common/bus/channels.h"
+#include "common/messages/codec.h"
+#include "common/messages/cost_map_message.h"
+#include "common/messages/digest.h"
+#include "common/messages/objects.h"
+#include "scanway/cloud_tile_t.hpp"
+#include "scanway/octomap_t.hpp"
+
+namespace scanway {
+namespace {
+
+constexpr double kCubeSide = 4.0;  // metres: some ten thousand points indoors
+constexpr const char* kOctomapKey = "map";
+
+void add_point(cloud_tile_t& tile, const PointCloud& cloud, std::size_t i) {
+  tile.x.push_back(cloud.points[i].x());
+  tile.y.push_back(cloud.points[i].y());
+  tile.z.push_back(cloud.points[i].z());
+  if (!cloud.intensity.empty()) tile.intensity.push_back(cloud.intensity[i]);
+}
+
+std::int32_t cube_index(float coordinate) {
+  return static_cast<std::int32_t>(std::floor(static_cast<double>(coordinate) / kCubeSide));
+}
+
+}  // namespace
+
+void MapPublisher::publish(const Map& map, const MapChange& change, Utime utime) {
+  const auto version = static_cast<std::int64_t>(change.version);
+  publish_tiles(map.cost_map(), change, utime);
+  close_version(map.cost_map(), version, utime);
+  publish_cloud(map.cloud(), version, utime);
+  publish_octomap(map.occupancy_tree(), version, utime);
+}
+
+void MapPublisher::publish_tiles(const CostMap& map, const MapChange& change, Utime utime) {
+  const auto version = static_cast<std::int64_t>(change.version);
+  for (const Cell& tile : change.changed_tiles) {
+    const auto found = map.tiles.find(tile);
+    if (found == map.tiles.end()) {
+      tiles_.erase(tile);
+      continue;
+    }
+    const auto bytes = encode(to_message(tile, found->second, version, utime));
+    const std::uint64_t name =
+        publish_object(bus_, channel::kCostMapTile, bytes, tile_key(tile), version, utime);
+    cost_tile_entry_t& entry = tiles_[tile];
+    entry.tile_x = tile.x;
+    entry.tile_y = tile.y;
+    entry.map_version = version;
+    entry.tile_digest = static_cast<std::int64_t>(name);
+  }
+}
+
+void MapPublisher::close_version(const CostMap& map, std::int64_t version, Utime utime) {
+  std::vector<cost_tile_entry_t> entries;
+  for (const auto& [tile, entry] : tiles_) entries.push_back(entry);
+  const cost_map_index_t index = close_map(map, version, utime, std::move(entries));
+  cost_map_digest_ = index.map_digest;
+  publish_object(bus_, channel::kCostMapIndex, encode(index), kCostMapIndexKey, version, utime);
+}
+
+void MapPublisher::publish_cloud(const VoxelCloud& cloud, std::int64_t version, Utime utime) {
+  const PointCloud points = cloud.centroids();
+  std::map<Cube, cloud_tile_t> cubes;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector3f& p = points.points[i];
+    add_point(cubes[{cube_index(p.x()), cube_index(p.y()), cube_index(p.z())}], points, i);
+  }
+  for (auto& [cube, tile] : cubes) {
+    std::tie(tile.cube[0], tile.cube[1], tile.cube[2]) = cube;
+    tile.cube_side_m = kCubeSide;
+    tile.voxel_m = cloud.voxel_m();
+    tile.npoints = static_cast<std::int32_t>(tile.x.size());
+    tile.nintensities = static_cast<std::int32_t>(tile.intensity.size());
+    // Without time and version, so that a cube that did not change has the digest that it had.
+    const std::uint64_t content = digest(encode(tile));
+    if (std::exchange(cubes_[cube], content) == content) continue;
+    tile.utime = utime;
+    tile.map_version = version;
+    const std::string key = fmt::format("{},{},{}", tile.cube[0], tile.cube[1], tile.cube[2]);
+    publish_object(bus_, channel::kCloudTile, encode(tile), key, version, utime);
+  }
+}
+
+void MapPublisher::publish_octomap(const OccupancyTree& tree, std::int64_t version, Utime utime) {
+  octomap_t message{};
+  message.utime = utime;
+  message.map_version = version;
+  message.octomap_resolution_m = tree.tree().getResolution();
+  const std::string stream = tree.bt_bytes();
+  message.bt_stream.assign(stream.begin(), stream.end());
+  message.nbytes = static_cast<std::int32_t>(stream.size());
+  publish_object(bus_, channel::kOctomap, encode(message), kOctomapKey, version, utime);
+}
+
+}  // namespace scanway

@@ -1,0 +1,145 @@
+#include "modules/mapper/node/mapper_node.h"
+
+#include <utility>
+
+#include "common/bus/channels.h"
+#include "common/messages/bad_message.h"
+#include "common/messages/codec.h"
+#include "common/messages/digest.h"
+#include "common/messages/imu_message.h"
+#include "common/messages/pose_message.h"
+#include "common/messages/rigid.h"
+#include "common/messages/sweep_message.h"
+#include "scanway/registration_t.hpp"
+
+namespace scanway {
+namespace {
+
+enum InputChannel : std::size_t { kImuInput, kSweepInput };
+
+/// An orientation that is older than this when the sweep ends says nothing of it any more.
+constexpr Utime kMaxOrientationAge = 2 * kMicrosecondsPerSecond;
+/// A sweep's pieces may still be on their way this long after it ended: 3.4 million points, paced and asked for again.
+constexpr Utime kSweepBound = 200 * kMicrosecondsPerSecond;
+
+std::vector<MergedChannel> merged_channels() {
+  return {{std::string(channel::kImu.name), kMicrosecondsPerSecond, true},
+          {std::string(channel::kSweep.name), kSweepBound, true}};
+}
+
+registration_t to_message(const SweepResult& result) {
+  registration_t message{};
+  message.utime = result.utime;
+  message.scan_name = result.name;
+  message.target_name = result.target;
+  message.accepted = result.verdict == Verdict::accepted;
+  message.reason = result.reason;
+  message.probability = result.registration.probability;
+  message.overlap = result.registration.overlap;
+  message.inlier_rmse_m = result.registration.inlier_rmse_m;
+  put_rows(result.X_map_sweep, message.T_map_scan);
+  for (int row = 0; row < 6; ++row) {
+    for (int column = 0; column < 6; ++column) {
+      message.covariance[row * 6 + column] = result.registration.covariance(row, column);
+    }
+  }
+  message.open_directions = result.registration.open_directions;
+  message.nopen_directions = static_cast<std::int16_t>(message.open_directions.size());
+  return message;
+}
+
+/// Where the robot stands: below the sensor, on the ground that the sweep found, else in the sweep's own origin.
+Pose base_pose(const SweepResult& result, const Sweep& sweep) {
+  Pose X_map_base = result.X_map_sweep;
+  if (result.change.ground.plane) {
+    X_map_base.translation() = result.X_map_sweep * sweep.origin;
+    X_map_base.translation().z() -= result.change.ground.sensor_height_m;
+  }
+  return X_map_base;
+}
+
+}  // namespace
+
+MapperNode::MapperNode(Bus& bus, const Robot& robot, StageListener* stages)
+    : bus_(bus),
+      stages_(stages),
+      mapper_(robot),
+      publisher_(bus),
+      inputs_(merged_channels(), [this](std::size_t, Utime, Input&& input) { work_on(std::move(input)); }) {
+  bus_.subscribe(channel::kImu.name, [this](const BusMessage& message) { take_imu(message); });
+  bus_.subscribe(channel::kSweep.name, [this](const BusMessage& message) { take_piece(message); });
+}
+
+std::map<std::string, std::int64_t> MapperNode::counters() const {
+  const AssemblerCounters& pieces = sweeps_.counters();
+  return {{"mapper_bad_messages", bad_messages_},
+          {"mapper_bad_pieces", static_cast<std::int64_t>(pieces.bad_pieces)},
+          {"mapper_bad_sweeps", static_cast<std::int64_t>(pieces.bad_objects)},
+          {"mapper_repeated_pieces", static_cast<std::int64_t>(pieces.repeated_pieces)},
+          {"mapper_incomplete_sweeps", static_cast<std::int64_t>(sweeps_.incomplete().size())},
+          {"mapper_late_imu", static_cast<std::int64_t>(inputs_.late(kImuInput))},
+          {"mapper_late_sweeps", static_cast<std::int64_t>(inputs_.late(kSweepInput))}};
+}
+
+void MapperNode::take_imu(const BusMessage& message) {
+  try {
+    const auto imu = decode<bot_core::ins_t>(message.bytes);
+    inputs_.add(kImuInput, imu.utime, Orientation{imu.utime, orientation_of(imu), digest(message.bytes)});
+  } catch (const BadMessage&) {
+    ++bad_messages_;
+  }
+}
+
+void MapperNode::take_piece(const BusMessage& message) {
+  try {
+    const std::optional<Object> object = sweeps_.add(decode<piece_t>(message.bytes));
+    if (!object) return;
+    Sweep sweep = to_sweep(decode<sweep_t>(object->bytes));
+    const Utime utime = sweep.utime;
+    inputs_.add(kSweepInput, utime, ArrivedSweep{std::move(sweep), object->digest});
+  } catch (const BadMessage&) {
+    ++bad_messages_;
+  }
+}
+
+void MapperNode::work_on(Input&& input) {
+  if (const auto* orientation = std::get_if<Orientation>(&input)) {
+    orientation_ = *orientation;
+  } else {
+    add_sweep(std::get<ArrivedSweep>(std::move(input)));
+  }
+}
+
+void MapperNode::add_sweep(ArrivedSweep&& arrived) {
+  if (orientation_ && arrived.sweep.utime - orientation_->utime > kMaxOrientationAge) orientation_.reset();
+  if (orientation_) arrived.sweep.R_world_sweep = orientation_->R_world_sweep;
+  bus_.publish(channel::kSweepInputs.name, encode(inputs_of(arrived)), arrived.sweep.utime);
+  publish_result(mapper_.add(arrived.sweep, stages_), arrived.sweep);
+}
+
+sweep_inputs_t MapperNode::inputs_of(const ArrivedSweep& arrived) const {
+  sweep_inputs_t message{};
+  message.utime = arrived.sweep.utime;
+  message.sweep_name = arrived.sweep.name;
+  message.sweep_digest = static_cast<std::int64_t>(arrived.digest);
+  input_span_t imu{};
+  imu.channel = channel::kImu.name;
+  imu.late_count = static_cast<std::int64_t>(inputs_.late(kImuInput));
+  if (orientation_) {
+    imu.first_utime = imu.last_utime = orientation_->utime;
+    imu.used_count = 1;
+    imu.used_digest = static_cast<std::int64_t>(orientation_->digest);
+  }
+  message.inputs.push_back(imu);
+  message.ninputs = static_cast<std::int16_t>(message.inputs.size());
+  return message;
+}
+
+void MapperNode::publish_result(const SweepResult& result, const Sweep& sweep) {
+  bus_.publish(channel::kRegistration.name, encode(to_message(result)), result.utime);
+  if (result.verdict != Verdict::accepted) return;
+  bus_.publish(channel::kPose.name, encode(pose_message(result.utime, base_pose(result, sweep))), result.utime);
+  publisher_.publish(mapper_.map(), result.change, result.utime);
+}
+
+}  // namespace scanway

@@ -1,0 +1,139 @@
+#include "modules/replay/report.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "common/files/printable.h"
+#include "common/math/repeatable.h"
+
+namespace scanway {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const std::vector<std::pair<std::string, double>>& seconds) {
+  Json json = Json::object();
+  double total = 0.0;
+  for (const auto& [stage, value] : seconds) {
+    json[stage] = value;
+    total += value;
+  }
+  json["total"] = total;
+  return json;
+}
+
+Json to_json(const Pose& pose) {
+  Json numbers = Json::array();
+  for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 4; ++column) numbers.push_back(pose.matrix()(row, column));
+  }
+  return numbers;
+}
+
+Json to_json(const PathReport& path) {
+  return {{"status", path.status},
+          {"length_m", path.length_m},
+          {"clearance_m", path.clearance_m},
+          {"unknown_share", path.unknown_share},
+          {"cost", path.cost},
+          {"expansions", path.expansions}};
+}
+
+double degrees(double angle) { return angle * 180.0 / repeatable::kPi; }
+
+Json to_json(const ReplayReport& report, const ScanReport& scan) {
+  Json json = {{"name", scan.name},
+               {"target", scan.target},
+               {"verdict", scan.accepted ? "accepted" : "refused"},
+               {"probability", scan.probability},
+               {"overlap", scan.overlap},
+               {"inlier_rmse_m", scan.inlier_rmse_m},
+               {"reason", scan.reason},
+               {"T_map_scan", to_json(scan.T_map_scan)}};
+  if (const auto error = pose_error(report, scan)) {
+    json["error_m"] = error->translation_m;
+    json["error_deg"] = degrees(error->rotation);
+  }
+  json["seconds"] = to_json(scan.seconds);
+  return json;
+}
+
+std::string path_line(const char* name, const PathReport& path) {
+  if (path.status != "ok") return fmt::format("path {:<19} {}\n", name, printable(path.status));
+  return fmt::format("path {:<19} {:.2f} m long, {:.2f} m clear, {:.0f} % unknown\n", name, path.length_m,
+                     path.clearance_m, 100.0 * path.unknown_share);
+}
+
+/// Every stage that any scan went through, in the order in which they first came.
+std::vector<std::string> stages_of(const std::vector<ScanReport>& scans) {
+  std::vector<std::string> stages;
+  for (const ScanReport& scan : scans) {
+    for (const auto& [stage, seconds] : scan.seconds) {
+      if (std::find(stages.begin(), stages.end(), stage) == stages.end()) stages.push_back(stage);
+    }
+  }
+  return stages;
+}
+
+std::string seconds_of(const ScanReport& scan, const std::string& stage) {
+  for (const auto& [name, seconds] : scan.seconds) {
+    if (name == stage) return fmt::format("{:.2f}", seconds);
+  }
+  return "-";
+}
+
+std::size_t column_width(const std::string& stage) { return std::max<std::size_t>(stage.size(), 5) + 2; }
+
+std::string scan_row(const ReplayReport& report, const ScanReport& scan, const std::vector<std::string>& stages) {
+  std::string row = fmt::format("{:<12} {:<9} {:>5.2f}", printable(scan.name), scan.accepted ? "accepted" : "refused",
+                                scan.probability);
+  if (const auto error = pose_error(report, scan)) {
+    row += fmt::format(" {:>8.3f} {:>9.2f}", error->translation_m, degrees(error->rotation));
+  } else {
+    row += fmt::format(" {:>8} {:>9}", "-", "-");
+  }
+  for (const std::string& stage : stages) row += fmt::format("{:>{}}", seconds_of(scan, stage), column_width(stage));
+  row += "\n";
+  if (!scan.accepted) row += fmt::format("             {}\n", printable(scan.reason));
+  return row;
+}
+
+}  // namespace
+
+std::optional<PoseError> pose_error(const ReplayReport& report, const ScanReport& scan) {
+  const auto first = std::find_if(report.scans.begin(), report.scans.end(), [](const auto& s) { return s.accepted; });
+  if (first == report.scans.end() || !scan.accepted || !scan.T_ref_scan || !first->T_ref_scan) return std::nullopt;
+  const Pose estimated = first->T_map_scan.inverse() * scan.T_map_scan;
+  const Pose reference = first->T_ref_scan->inverse() * *scan.T_ref_scan;
+  const Pose difference = reference.inverse() * estimated;
+  return PoseError{difference.translation().norm(), rotation_angle(difference.linear())};
+}
+
+std::string report_json(const ReplayReport& report) {
+  Json json;
+  json["log"] = report.log;
+  json["trouble"] = report.trouble;
+  json["digests"] = report.digests;
+  json["scans"] = Json::array();
+  for (const ScanReport& scan : report.scans) json["scans"].push_back(to_json(report, scan));
+  json["paths"] = {{"without_embodiment", to_json(report.path_without_embodiment)},
+                   {"with_embodiment", to_json(report.path_with_embodiment)}};
+  json["counters"] = report.counters;
+  json["seconds"] = to_json(report.seconds);
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string report_table(const ReplayReport& report) {
+  const std::vector<std::string> stages = stages_of(report.scans);
+  std::string table = fmt::format("{:<12} {:<9} {:>5} {:>8} {:>9}", "scan", "verdict", "prob.", "error m", "error deg");
+  for (const std::string& stage : stages) table += fmt::format("{:>{}}", stage, column_width(stage));
+  table += stages.empty() ? "\n" : "   (seconds)\n";
+  for (const ScanReport& scan : report.scans) table += scan_row(report, scan, stages);
+  table += path_line("without embodiment:", report.path_without_embodiment);
+  table += path_line("with embodiment:", report.path_with_embodiment);
+  return table;
+}
+
+}  // namespace scanway
