@@ -70,10 +70,14 @@ std::string CloudNotes::sentence() const {
 }
 
 PointCloud read_cloud(const std::string& path, CloudNotes* notes) {
+  return parse_cloud(read_file_decompressed(path), path, notes);
+}
+
+PointCloud parse_cloud(std::string_view bytes, const std::string& path, CloudNotes* notes) {
   CloudNotes own;
   CloudNotes& noted = notes != nullptr ? *notes : own;
   noted = {};
-  PointCloud cloud = read_any(read_file_decompressed(path), path, noted);
+  PointCloud cloud = read_any(bytes, path, noted);
   if (cloud.empty() && noted.no_return == 0) cloud_formats::refuse(path, "holds no point; export the cloud again");
   const std::size_t points = cloud.size();
   keep_finite(cloud, noted);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 #include "common/cloud/point_cloud.h"
 
@@ -27,6 +28,9 @@ struct CloudNotes {
 /// Points that are not finite are left out; an intensity that is not finite becomes 0. Throws InputError, one line that
 /// names the place, for a file that is damaged or holds no point. Memory stays a small multiple of the file's size.
 PointCloud read_cloud(const std::string& path, CloudNotes* notes = nullptr);
+
+/// The same from the bytes of such a file, not compressed; `path` stands for it.
+PointCloud parse_cloud(std::string_view bytes, const std::string& path, CloudNotes* notes = nullptr);
 
 /// The name of the scan in a file: without folder, `.zst` and the ends named above ("a/scan000.3d.zst": "scan000").
 std::string scan_name(const std::string& path);

@@ -4,9 +4,7 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <map>
-#include <set>
 #include <sstream>
 
 #include "common/bus/channels.h"
@@ -25,6 +23,7 @@
 #include "common/messages/sweep_message.h"
 #include "common/random/random.h"
 #include "scanway/reference_pose_t.hpp"
+#include "tests/support/command.h"
 
 namespace scanway::tools {
 namespace {
@@ -66,11 +65,6 @@ Imported read_log(const std::string& path) {
   return log;
 }
 
-std::string bytes_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 PointCloud random_cloud(std::size_t points, std::uint64_t seed) {
   Random random(seed);
   PointCloud cloud;
@@ -84,17 +78,10 @@ PointCloud random_cloud(std::size_t points, std::uint64_t seed) {
 
 class ImportClouds : public testing::Test {
  protected:
-  ImportClouds() {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::temp_directory_path() / ("scanway-import-" + std::to_string(::getpid()) + "-" + test->name());
-    fs::create_directories(folder_);
-  }
-  ~ImportClouds() override { fs::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string path(const std::string& name) const { return folder_ / name; }
 
   std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(path(name), std::ios::binary) << text;
+    test::write_text(path(name), text);
     return path(name);
   }
 
@@ -118,12 +105,12 @@ class ImportClouds : public testing::Test {
 
   /// Nothing but what the test itself wrote is in the folder.
   void expect_no_log() const {
-    for (const auto& entry : fs::directory_iterator(folder_)) {
+    for (const auto& entry : fs::directory_iterator(folder_.path())) {
       EXPECT_EQ(entry.path().string().find("out.lcmlog"), std::string::npos) << entry.path();
     }
   }
 
-  fs::path folder_;
+  test::ScratchFolder folder_;
 };
 
 std::string error_of(const ImportCloudsOptions& options) {
@@ -155,13 +142,13 @@ TEST_F(ImportClouds, GivesTheSameBytesAgain) {
   options.tilt_sigma_deg = 0.5;
   options.goal_m = {3.0, -1.0};
   run_import_clouds(options);
-  const std::string first = bytes_of(options.output);
+  const std::string first = test::read_text(options.output);
   options.output = path("again.lcmlog");
   run_import_clouds(options);
-  EXPECT_EQ(bytes_of(options.output), first);
+  EXPECT_EQ(test::read_text(options.output), first);
   options.seed = 2;
   run_import_clouds(options);
-  EXPECT_NE(bytes_of(options.output), first);
+  EXPECT_NE(test::read_text(options.output), first);
 }
 
 TEST_F(ImportClouds, KeepsTheReferenceAsPrinted) {
@@ -286,7 +273,7 @@ TEST_F(ImportClouds, LeavesOutWhatIsNearerThanTheSensorMeasures) {
 
 TEST_F(ImportClouds, LeavesNoLogWhenTheThirdFileIsDamaged) {
   const ImportCloudsOptions options = small_clouds(4);
-  const std::string whole = bytes_of(options.files[2]);
+  const std::string whole = test::read_text(options.files[2]);
   write("scan2.pcd", whole.substr(0, whole.size() - 1));
   EXPECT_NE(error_of(options).find("scan2.pcd"), std::string::npos);
   expect_no_log();
@@ -297,15 +284,15 @@ TEST_F(ImportClouds, LeavesNoLogWhenTheThirdFileIsDamaged) {
 TEST_F(ImportClouds, KeepsAnOlderLogWhenItFails) {
   ImportCloudsOptions options = small_clouds(2);
   run_import_clouds(options);
-  const std::string older = bytes_of(options.output);
+  const std::string older = test::read_text(options.output);
   options.files[1] = path("missing.pcd");
   EXPECT_NE(error_of(options), "");
-  EXPECT_EQ(bytes_of(options.output), older);
+  EXPECT_EQ(test::read_text(options.output), older);
 }
 
 TEST_F(ImportClouds, NamesTheScanWithoutAPose) {
   ImportCloudsOptions options = small_clouds(3);
-  std::string poses = bytes_of(options.poses);
+  std::string poses = test::read_text(options.poses);
   poses.erase(poses.find("scan1"), poses.find("scan2") - poses.find("scan1"));
   write("poses.txt", poses);
   const std::string error = error_of(options);
