@@ -70,14 +70,17 @@ std::optional<double> si_from_text(std::string_view text, const std::optional<Un
 std::string text_from_si(double value, const std::optional<Unit>& unit) {
   std::array<char, 64> text{};
   const auto written = [&](std::to_chars_result result) { return std::string(text.data(), result.ptr); };
-  if (is_plain(unit)) return written(std::to_chars(text.begin(), text.end(), value));
+  if (is_plain(unit)) {
+    const bool handy = value == 0 || (std::fabs(value) >= 1e-4 && std::fabs(value) < 1e15);
+    const auto format = handy ? std::chars_format::fixed : std::chars_format::general;
+    return written(std::to_chars(text.begin(), text.end(), value, format));
+  }
   const long double number = static_cast<long double>(value) * unit->denominator / unit->numerator;
   constexpr int kEnough = 21;  // decimal digits that tell any two long doubles apart
-  int digits = 1;              // at least those before the decimal point
-  for (long double power = 10; digits < 7 && power <= std::fabs(number); power *= 10) ++digits;
-  for (; digits < kEnough; ++digits) {
+  for (int digits = 1; digits < kEnough; ++digits) {
     const auto shorter = written(std::to_chars(text.begin(), text.end(), number, std::chars_format::general, digits));
-    if (si_from_text(shorter, unit) == value) return shorter;
+    const bool readable = shorter.find("e+") == shorter.npos;
+    if (readable && si_from_text(shorter, unit) == value) return shorter;
   }
   return written(std::to_chars(text.begin(), text.end(), number, std::chars_format::general, kEnough));
 }

@@ -22,9 +22,7 @@ Eigen::Vector3d skew_part(const Eigen::Matrix3d& R) {
 
 }  // namespace
 
-double rotation_angle(const Eigen::Matrix3d& R) {
-  return repeatable::atan2(skew_part(R).norm(), R.trace() - 1.0);
-}
+double rotation_angle(const Eigen::Matrix3d& R) { return repeatable::atan2(skew_part(R).norm(), R.trace() - 1.0); }
 
 Eigen::Matrix3d rotation_about_z(double angle) {
   const double c = repeatable::cos(angle), s = repeatable::sin(angle);
@@ -54,7 +52,10 @@ Eigen::Vector3d log_so3(const Eigen::Matrix3d& R) {
 
 Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& M) {
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(M, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  return svd.matrixU() * svd.matrixV().transpose();
+  Eigen::Matrix3d U = svd.matrixU();
+  // A reflection may lie nearer; among the rotations the nearest gives up the weakest direction.
+  if ((U * svd.matrixV().transpose()).determinant() < 0) U.col(2) = -U.col(2);
+  return U * svd.matrixV().transpose();
 }
 
 }  // namespace scanway

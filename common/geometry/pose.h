@@ -23,7 +23,7 @@ Eigen::Matrix3d exp_so3(const Eigen::Vector3d& w);
 /// The rotation vector of R (axis times angle, radians, angle in [0, pi]).
 Eigen::Vector3d log_so3(const Eigen::Matrix3d& R);
 
-/// The rotation nearest to the 3x3 matrix M (by SVD); M's determinant must be positive.
+/// The rotation (determinant 1) nearest to the 3x3 matrix M in the sum of squares, by SVD (Umeyama, PAMI 13(4), 1991).
 Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& M);
 
 }  // namespace scanway

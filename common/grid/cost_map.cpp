@@ -3,7 +3,7 @@
 namespace scanway {
 namespace {
 
-constexpr std::int32_t floor_divide(std::int32_t a, std::int32_t b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
+constexpr std::int32_t floor_divide(std::int32_t a, std::int32_t b) { return a / b - (a % b < 0 ? 1 : 0); }
 
 }  // namespace
 

@@ -37,10 +37,14 @@ double reduce(double x, int& quadrant) {
 
 double sin_quadrant(double r, int quadrant) {
   switch (quadrant & 3) {
-    case 0: return sin_series(r);
-    case 1: return cos_series(r);
-    case 2: return -sin_series(r);
-    default: return -cos_series(r);
+    case 0:
+      return sin_series(r);
+    case 1:
+      return cos_series(r);
+    case 2:
+      return -sin_series(r);
+    default:
+      return -cos_series(r);
   }
 }
 
