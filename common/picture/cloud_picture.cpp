@@ -31,7 +31,9 @@ std::vector<Eigen::Vector3f> below(const PointCloud& cloud, double cut_height_m)
   std::vector<Eigen::Vector3f> points;
   points.reserve(cloud.size());
   for (const Eigen::Vector3f& point : cloud.points) {
-    if (point.allFinite() && point.z() <= cut_height_m) points.push_back(point);
+    constexpr float kFar = 1e6f;  // metres; farther points are not measurements
+    const bool near = point.allFinite() && point.cwiseAbs().maxCoeff() < kFar;
+    if (near && point.z() <= cut_height_m) points.push_back(point);
   }
   return points;
 }

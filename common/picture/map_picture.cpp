@@ -33,14 +33,16 @@ CellRectangle part_around(const CostMap& map, const PathPicture& paths) {
   grow(box, paths.with_embodiment);
   const double border_m = std::max(0.25 * box.sizes().maxCoeff(), 2.0);
   const Eigen::Vector2d origin(map.origin_x_m, map.origin_y_m), border(border_m, border_m);
+  const CellRectangle known = known_part(map);
   const auto cell_at = [&](const Eigen::Vector2d& at_m) {
     const Eigen::Vector2d cell = ((at_m - origin) / map.resolution_m).array().floor();
-    return Cell{static_cast<std::int32_t>(cell.x()), static_cast<std::int32_t>(cell.y())};
+    return Cell{static_cast<std::int32_t>(std::clamp<double>(cell.x(), known.low.x, known.high.x)),
+                static_cast<std::int32_t>(std::clamp<double>(cell.y(), known.low.y, known.high.y))};
   };
-  const CellRectangle known = known_part(map);
   const Cell low = cell_at(box.min() - border), high = cell_at(box.max() + border);
-  return {{std::max(low.x, known.low.x), std::max(low.y, known.low.y)},
-          {std::min(high.x, known.high.x), std::min(high.y, known.high.y)}};
+  const CellRectangle part{{std::max(low.x, known.low.x), std::max(low.y, known.low.y)},
+                           {std::min(high.x, known.high.x), std::min(high.y, known.high.y)}};
+  return part.width() > 0 && part.height() > 0 ? part : known;
 }
 
 bool has_cost(const CostMap& map) {
