@@ -56,6 +56,7 @@ FileDescriptor create_beside(const std::string& path, std::string& name) {
 }  // namespace
 
 AtomicFile::AtomicFile(std::string path) : path_(without_links(path)) {
+  if (path_.empty()) throw InputError("the name of a file to write is empty; give one");
   struct stat status {};
   if (::stat(path_.c_str(), &status) == 0 && !S_ISREG(status.st_mode)) {
     throw InputError(printable(path_) + ": is a folder or a device; choose the name of a file to write");
