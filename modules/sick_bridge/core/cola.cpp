@@ -1,6 +1,7 @@
 #include "modules/sick_bridge/core/cola.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "common/bytes/big_endian.h"
 
@@ -27,6 +28,30 @@ std::uint8_t checksum(std::span<const std::uint8_t> body) {
   return sum;
 }
 
+/// The length of the body that a binary header promises; nothing if this cannot be one.
+std::optional<std::size_t> length_in_header(std::span<const std::uint8_t> bytes) {
+  if (bytes.size() < kHeaderBinary + kCommandLength) return std::nullopt;
+  if (!std::all_of(bytes.begin(), bytes.begin() + 4, [](std::uint8_t byte) { return byte == kStx; })) {
+    return std::nullopt;
+  }
+  const std::size_t length = BigEndianReader(bytes.subspan(4)).u32();
+  if (length < kCommandLength || length > kMaxBodyBinary) return std::nullopt;
+  if (!begins_with_command(bytes.subspan(kHeaderBinary))) return std::nullopt;
+  return length;
+}
+
+/// Whether another telegram begins inside this one and ends outside it: then this one was cut short, and its checksum
+/// of one byte is right by accident.
+bool another_reaches_out(std::span<const std::uint8_t> frame) {
+  for (auto at = std::find(frame.begin() + 1, frame.end(), kStx); at != frame.end();
+       at = std::find(at + 1, frame.end(), kStx)) {
+    const auto rest = frame.subspan(static_cast<std::size_t>(at - frame.begin()));
+    const auto length = length_in_header(rest);
+    if (length && kHeaderBinary + *length + 1 > rest.size()) return true;
+  }
+  return false;
+}
+
 FrameProbe probe_binary(std::span<const std::uint8_t> bytes) {
   if (bytes.size() < kHeaderBinary) return FrameProbe::unfinished();
   const std::size_t length = BigEndianReader(bytes.subspan(4)).u32();
@@ -36,6 +61,7 @@ FrameProbe probe_binary(std::span<const std::uint8_t> bytes) {
   const std::size_t whole = kHeaderBinary + length + 1;
   if (bytes.size() < whole) return FrameProbe::unfinished();
   if (checksum(body) != bytes[whole - 1]) return FrameProbe::broken("wrong checksum");
+  if (another_reaches_out(bytes.first(whole))) return FrameProbe::broken("cut short: another telegram begins in it");
   return FrameProbe::whole(whole);
 }
 

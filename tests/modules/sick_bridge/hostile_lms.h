@@ -1,0 +1,125 @@
+#pragma once
+
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "common/bytes/big_endian.h"
+#include "modules/sick_bridge/core/commands.h"
+#include "modules/sick_bridge/core/describe.h"
+#include "modules/sick_bridge/core/scan.h"
+#include "tests/support/hostile_bytes.h"
+
+namespace scanway::test {
+
+inline Bytes bytes_of(const std::string& text) { return {text.begin(), text.end()}; }
+
+/// A scan of few beams in the binary dialect, written by hand from the field table.
+inline Bytes small_scan(std::uint16_t counter) {
+  std::string body = "sSN LMDscandata ";
+  const auto put = [&](std::uint64_t value, int size) { append_big_endian(body, value, size); };
+  put(0, 2), put(1, 2), put(18110550, 4), put(0, 2), put(counter, 2), put(counter, 2);
+  put(1000000U + 40000U * counter, 4), put(1041000U + 40000U * counter, 4), put(0, 2), put(0x3F00, 2), put(0, 2);
+  put(2500, 4), put(540, 4), put(0, 2), put(1, 2);
+  body += "DIST1";
+  put(0x3F800000, 4), put(0, 4), put(0xFFFF3CB0, 4), put(1667, 2), put(3, 2);
+  put(1303, 2), put(counter, 2), put(628, 2);
+  for (int flag = 0; flag < 6; ++flag) put(0, 2);
+  return bytes_of(sick::make_frame(sick::Dialect::cola_b, body));
+}
+
+inline std::vector<Bytes> good_lms_frames() {
+  using sick::Dialect;
+  std::vector<Bytes> frames{small_scan(7), small_scan(8)};
+  for (const Dialect dialect : {Dialect::cola_b, Dialect::cola_a}) {
+    frames.push_back(bytes_of(set_scan_config(dialect, {}).frame));
+    frames.push_back(bytes_of(set_scan_content(dialect, {}).frame));
+    frames.push_back(bytes_of(sick::log_in(dialect).frame));
+  }
+  frames.push_back(bytes_of(sick::make_frame(Dialect::cola_b, std::string("sFA\0\3", 5))));
+  frames.push_back(bytes_of(sick::make_frame(
+      Dialect::cola_a,
+      "sSN LMDscandata 0 1 1145856 0 0 A C F4240 FE268 0 0 3F 0 0 9C4 21C 0 1 DIST1 3F800000 00000000 0 2710 2 1F4 "
+      "258 0 0 0 0 0 1 FDIN 7B F4434 6DDD0")));
+  return frames;
+}
+
+/// Whether the bytes are a frame, said in other words than the decoder's.
+inline bool is_lms_frame(const Bytes& frame) {
+  if (frame.size() < 5 || frame.front() != 2) return false;
+  if (frame[1] != 2) return frame.back() == 3;
+  const std::size_t length = frame.size() - 9;
+  std::uint8_t sum = 0;
+  for (std::size_t i = 8; i < frame.size(); ++i) sum ^= frame[i];  // The checksum cancels itself.
+  return sum == 0 && frame[6] * 256U + frame[7] == length && frame[4] == 0 && frame[5] == 0;
+}
+
+inline void read_whatever_it_is(const Bytes& frame) {
+  try {
+    const sick::Telegram telegram = sick::open_frame(frame);
+    if (is_scan(telegram)) {
+      parse_scan(telegram);
+    } else {
+      describe(telegram);
+    }
+  } catch (const sick::BadTelegram& error) {
+    EXPECT_GT(std::strlen(error.what()), 0U);
+  }
+}
+
+/// `count` hostile streams: no crash, every byte in exactly one stretch, every frame a frame, and after each stream at
+/// most two good telegrams until telegrams come through again.
+inline void try_hostile_lms_streams(int count, std::uint64_t seed) {
+  Random random(seed);
+  const auto good = good_lms_frames();
+  const std::vector<Bytes> after{small_scan(1001), small_scan(1002), small_scan(1003)};
+  for (int i = 0; i < count; ++i) {
+    Bytes stream = hostile_stream(good, random);
+    for (const Bytes& frame : after) stream.insert(stream.end(), frame.begin(), frame.end());
+    FrameFinder finder = sick::make_frame_finder();
+    std::uint64_t covered = 0;
+    bool third_came = false, one_of_two_came = false;
+    const auto take = [&](const Stretch& stretch) {
+      ASSERT_EQ(stretch.offset, covered);
+      covered += stretch.length;
+      if (!stretch.whole) return;
+      ASSERT_TRUE(is_lms_frame(stretch.bytes));
+      ASSERT_TRUE(std::equal(stretch.bytes.begin(), stretch.bytes.end(),
+                             stream.begin() + static_cast<std::ptrdiff_t>(stretch.offset)));
+      read_whatever_it_is(stretch.bytes);
+      one_of_two_came = one_of_two_came || stretch.bytes == after[0] || stretch.bytes == after[1];
+      third_came = stretch.bytes == after[2];
+    };
+    feed_in_pieces(finder, stream, random, take);
+    ASSERT_TRUE(third_came) << "stream " << i;
+    ASSERT_TRUE(one_of_two_came) << "stream " << i;
+    finder.finish();
+    while (const auto stretch = finder.next()) take(*stretch);
+    ASSERT_EQ(covered, stream.size()) << "stream " << i;
+  }
+}
+
+/// `count` streams of nothing but random bytes, with the bytes that frames begin with more often than others.
+inline void try_random_lms_streams(int count, std::uint64_t seed) {
+  Random random(seed);
+  for (int i = 0; i < count; ++i) {
+    Bytes stream = random_bytes(1 + random.below(300), random);
+    for (auto& byte : stream) {
+      if (random.below(4) == 0) byte = static_cast<std::uint8_t>("\x02\x02\x03sSNRA \x00"[random.below(10)]);
+    }
+    FrameFinder finder = sick::make_frame_finder();
+    std::uint64_t covered = 0;
+    const auto take = [&](const Stretch& stretch) {
+      covered += stretch.length;
+      if (stretch.whole) read_whatever_it_is(stretch.bytes);
+    };
+    feed_in_pieces(finder, stream, random, take);
+    finder.finish();
+    while (const auto stretch = finder.next()) take(*stretch);
+    ASSERT_EQ(covered, stream.size()) << "stream " << i;
+  }
+}
+
+}  // namespace scanway::test
