@@ -108,7 +108,8 @@ Sweep read_sweep(const std::string& file, const std::string& name, Utime utime, 
                      ": all of its points are nearer than the robot's min_range_m; correct that, or " +
                      "export the cloud with the sensor at its origin, in metres");
   }
-  if (!notes.sentence().empty()) spdlog::warn("{}: {}", printable(file), notes.sentence());
+  const auto level = notes.not_finite > 0 ? spdlog::level::warn : spdlog::level::info;
+  if (!notes.sentence().empty()) spdlog::log(level, "{}: {}", printable(file), notes.sentence());
   if (near > 0) {
     spdlog::info("{}: left out {} points nearer than {} m", printable(file), near, robot.laser.min_range_m);
   }
