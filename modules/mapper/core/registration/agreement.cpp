@@ -84,7 +84,6 @@ Agreement assess(const PreparedScan::Data& source, const PreparedScan::Data& tar
   agreement.overlap_back = back.overlap;
   agreement.conflict = std::max(there.conflict, back.conflict);
   agreement.surface_fit = std::min(there.surface_fit, back.surface_fit);
-  agreement.score = 0.5 * (there.overlap + back.overlap) + agreement.surface_fit - 2.0 * agreement.conflict;
   return agreement;
 }
 

@@ -10,7 +10,6 @@ struct Agreement {
   double overlap_back = 0.0;  ///< Share of target points with a source point within 0.3 m.
   double conflict = 0.0;      ///< Share of points in the other's view that lie where the other saw through; the worse.
   double surface_fit = 0.0;   ///< Share of the surfaces in the other's view that meet a like one; the worse direction.
-  double score = 0.0;         ///< Higher is better: what hypotheses are ranked by.
 };
 
 /// Poses are between the sensors' centres. `samples`: how many points a side are asked.

@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::size_t kBlock = 512;
 constexpr float kMinNormalCosine = 0.8f;
+constexpr float kReachInCells = 1.5f;  // the next piece of the same surface is one cell away, or a gap between beams
 constexpr double kConvergedRotation = 2e-5, kConvergedTranslation = 1e-4;
 constexpr std::size_t kMinCorrespondences = 12;
 
@@ -48,8 +49,9 @@ struct Linearisation {
 
   void add(std::size_t i, Sums& sums) const {
     const Eigen::Vector3f lever = R * source.centre[i], point = lever + t, normal = R * source.normal[i];
+    const float reach = std::max(round.max_distance_m, kReachInCells * source.size[i]);
     const auto original = [&](std::uint32_t position) { return target.grid.original()[position]; };
-    const CellGrid::Nearest nearest = target.grid.nearest(point, round.max_distance_m, [&](std::uint32_t position) {
+    const CellGrid::Nearest nearest = target.grid.nearest(point, reach, [&](std::uint32_t position) {
       return normal.dot(target.surfaces.normal[original(position)]) > kMinNormalCosine;
     });
     if (!nearest.found()) return;

@@ -93,7 +93,7 @@ std::vector<std::uint32_t> nearest_descriptors(const std::vector<Descriptor>& fr
 }  // namespace
 
 std::vector<Match> match_keypoints(const Keypoints& source, const Keypoints& target,
-                                   const std::optional<Eigen::Matrix3f>& R_target_source) {
+                                   const std::optional<Eigen::Matrix3f>& R_target_source, bool mutual) {
   if (source.size() == 0 || target.size() == 0) return {};
   const float weight = R_target_source ? kNormalWeight : 0.0f;
   const Eigen::Matrix3f R = R_target_source.value_or(Eigen::Matrix3f::Identity());
@@ -101,12 +101,15 @@ std::vector<Match> match_keypoints(const Keypoints& source, const Keypoints& tar
   for (std::size_t i = 0; i < s.size(); ++i) s[i] = extended(source.descriptor[i], R * source.normal[i], weight);
   for (std::size_t i = 0; i < t.size(); ++i) t[i] = extended(target.descriptor[i], target.normal[i], weight);
   const std::vector<std::uint32_t> to_target = nearest_descriptors(s, t), to_source = nearest_descriptors(t, s);
+  const auto agree = [&](std::uint32_t i, std::uint32_t j) {
+    return !R_target_source || (R * source.normal[i]).dot(target.normal[j]) >= kMinNormalCosine;
+  };
   std::vector<Match> matches;
   for (std::uint32_t i = 0; i < s.size(); ++i) {
-    const std::uint32_t j = to_target[i];
-    if (to_source[j] != i) continue;
-    if (R_target_source && (R * source.normal[i]).dot(target.normal[j]) < kMinNormalCosine) continue;
-    matches.push_back({i, j});
+    if ((!mutual || to_source[to_target[i]] == i) && agree(i, to_target[i])) matches.push_back({i, to_target[i]});
+  }
+  for (std::uint32_t j = 0; j < t.size() && !mutual; ++j) {
+    if (to_target[to_source[j]] != j && agree(to_source[j], j)) matches.push_back({to_source[j], j});
   }
   return matches;
 }

@@ -49,9 +49,13 @@ Eigen::Matrix3d marginal(const Eigen::Matrix3d& own, const Eigen::Matrix3d& cros
 
 }  // namespace
 
+double rank_of(const Evidence& e) {
+  const Agreement& a = e.agreement;
+  return -2.0 + 4.0 * a.surface_fit + 3.0 * (a.overlap + a.overlap_back) - 60.0 * a.conflict;
+}
+
 double probability_right(const Evidence& e) {
-  const double z = -6.0 + 6.0 * e.agreement.surface_fit + 8.0 * e.agreement.overlap - 20.0 * e.agreement.conflict +
-                   6.0 * std::min(e.margin, 0.5);
+  const double z = rank_of(e) + std::clamp(e.margin, -kMaxMargin, kMaxMargin);
   return 1.0 / (1.0 + repeatable::exp(-z));
 }
 
@@ -86,7 +90,7 @@ void decide(const Evidence& evidence, const Observability& observability, Regist
   } else if (result.probability >= kAcceptedProbability) {
     result.verdict = Verdict::accepted;
     result.reason = format("The scans agree within %.0f mm: ", 1000.0 * result.inlier_rmse_m) + figures + ".";
-  } else if (evidence.margin < 0.05) {
+  } else if (evidence.margin < 0.5) {
     result.reason = "Another pose fits almost as well: " + figures + ".";
   } else {
     result.reason = "The scans do not agree well enough at any pose: " + figures + ".";

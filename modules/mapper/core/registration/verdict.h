@@ -8,13 +8,18 @@
 
 namespace scanway::registration {
 
+constexpr double kMaxMargin = 5.0;
+
 /// What the verdict rests on.
 struct Evidence {
   Agreement agreement;
   double rmse_m = 0.0;
-  double margin = 1.0;          ///< Score less that of the second-best distinct hypothesis; at most 1.
+  double margin = kMaxMargin;   ///< Rank less that of the second-best distinct pose.
   double observability = 0.0;   ///< Of the least constrained direction: its share of the information, 1/3 at best.
 };
+
+/// Log-odds of a pose by how well the scans agree there, without its rivals: what poses are ranked by.
+double rank_of(const Evidence& evidence);
 
 /// The probability that the pose is right within 0.1 m and 0.5 degrees.
 double probability_right(const Evidence& evidence);

@@ -1,0 +1,89 @@
+#include "modules/mapper/core/registration/search.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "modules/mapper/core/registration/matching.h"
+
+namespace scanway::registration {
+namespace {
+
+constexpr std::array<IcpRound, 2> kCoarse = {{{1.2f, 0.4f, 6}, {0.6f, 0.2f, 8}}};
+constexpr std::array<IcpRound, 2> kFine = {{{0.5f, 0.1f, 10}, {0.5f, 0.03f, 20}}};
+constexpr std::size_t kCoarseSamples = 1500, kFineSamples = 8000;
+constexpr double kDistinctMetres = 0.5, kDistinctRadians = 0.09;
+
+bool distinct(const Pose& a, const Pose& b) {
+  const Pose d = a.inverse() * b;
+  return d.translation().norm() > kDistinctMetres || rotation_angle(d.linear()) > kDistinctRadians;
+}
+
+}  // namespace
+
+RotationBounds bounds_of(const OrientationPrior& prior) {
+  return {prior.R_target_source, std::max(3.0 * prior.heading_sigma, 0.2), std::max(4.0 * prior.tilt_sigma, 0.11)};
+}
+
+std::vector<Candidate> rank_candidates(std::vector<Candidate> all) {
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Candidate& a, const Candidate& b) { return rank_of(a.evidence) > rank_of(b.evidence); });
+  std::vector<Candidate> kept;
+  for (const Candidate& c : all) {
+    const bool known = std::any_of(kept.begin(), kept.end(), [&](const Candidate& k) {
+      return !distinct(k.T_target_source, c.T_target_source);
+    });
+    if (!known) kept.push_back(c);
+  }
+  return kept;
+}
+
+std::vector<Candidate> find_candidates(const PreparedScan::Data& source, const PreparedScan::Data& target,
+                                       const std::optional<RotationBounds>& bounds, SearchWidth width,
+                                       StageListener* stages) {
+  begin_stage(stages, "matching");
+  std::optional<Eigen::Matrix3f> R;
+  if (bounds) R = bounds->R_target_source.cast<float>();
+  const bool mutual = width == SearchWidth::mutual;
+  const std::vector<Match> matches = match_keypoints(source.keypoints, target.keypoints, R, mutual);
+  begin_stage(stages, "hypotheses");
+  ConsensusOptions options;
+  if (!mutual) options.max_matches = 4000, options.max_hypotheses = 48;
+  const std::vector<Hypothesis> hypotheses =
+      find_hypotheses(source.keypoints, target.keypoints, matches, bounds, options);
+  begin_stage(stages, "checks");
+  std::vector<Candidate> all;
+  for (const Hypothesis& h : hypotheses) {
+    const IcpResult icp =
+        run_icp(source.few_surfaces, {target.surfaces, target.surface_grid}, h.T_target_source, kCoarse);
+    if (bounds && !within(*bounds, icp.T_target_source.linear())) continue;
+    Candidate candidate{icp.T_target_source, {}};
+    candidate.evidence.agreement = assess(source, target, icp.T_target_source, kCoarseSamples);
+    all.push_back(candidate);
+  }
+  return rank_candidates(std::move(all));
+}
+
+IcpResult refine_finely(const PreparedScan::Data& source, const PreparedScan::Data& target,
+                        const Pose& T_target_source) {
+  return run_icp(source.surfaces, {target.surfaces, target.surface_grid}, T_target_source, kFine);
+}
+
+Evidence evidence_of(const PreparedScan::Data& source, const PreparedScan::Data& target, const IcpResult& icp) {
+  Evidence evidence;
+  evidence.agreement = assess(source, target, icp.T_target_source, kFineSamples);
+  evidence.rmse_m = icp.rmse_m;
+  evidence.observability = observe(icp).weakest;
+  return evidence;
+}
+
+double margin_to_others(const Candidate& best, const std::vector<Candidate>& others) {
+  double margin = kMaxMargin;
+  for (const Candidate& other : others) {
+    if (!distinct(best.T_target_source, other.T_target_source)) continue;
+    margin = std::min(margin, rank_of(best.evidence) - rank_of(other.evidence));
+  }
+  return margin;
+}
+
+}  // namespace scanway::registration
