@@ -106,8 +106,7 @@ MapChange Map::merge(const Sweep& sweep, const Pose& X_map_sweep, StageListener*
   return change;
 }
 
-GroundReport Map::project(const MapPoints& points, const Sweep& sweep, const Pose& X_map_sweep,
-                          StageListener* stages) {
+GroundReport Map::project(const MapPoints& points, const Sweep& sweep, const Pose& X_map_sweep, StageListener* stages) {
   begin_stage(stages, "ground");
   if (robot_.mapping.paper_projection) return project_by_paper(points, stages);
   return project_by_evidence(points, sweep, X_map_sweep, stages);
@@ -130,9 +129,10 @@ GroundReport Map::project_by_evidence(const MapPoints& points, const Sweep& swee
 
   begin_stage(stages, "cost_map");
   const SweepViewConfig config = view_config(robot_);
-  const SweepView view(points, surface, config);
-  apply_evidence(cost_map_, gather_evidence(points, surface, view, config, robot_.body, X_map_sweep,
-                                            cost_map_.resolution_m));
+  const std::vector<ObstacleReturn> obstacles = obstacle_returns(points, surface, config);
+  const SweepView view(points, surface, obstacles, config);
+  apply_evidence(cost_map_,
+                 gather_evidence(obstacles, surface, view, robot_.body, X_map_sweep, cost_map_.resolution_m));
   return ground;
 }
 

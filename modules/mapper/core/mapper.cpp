@@ -5,8 +5,8 @@
 namespace scanway {
 namespace {
 
-constexpr std::size_t kMaxTargets = 3;     // the last accepted sweep and two before it
-constexpr std::size_t kMinPoints = 1000;   // fewer show no place that could be found again
+constexpr std::size_t kMaxTargets = 3;    // the last accepted sweep and two before it
+constexpr std::size_t kMinPoints = 1000;  // fewer show no place that could be found again
 
 std::size_t usable_points(const Sweep& sweep, const Robot& robot) {
   return points_in_map(sweep, Pose::Identity(), robot.laser.min_range_m, robot.laser.max_range_m).points.size();
@@ -74,9 +74,9 @@ SweepResult Mapper::place(const Sweep& sweep, const PreparedScan& scan, StageLis
 std::optional<OrientationPrior> Mapper::prior(const Sweep& source, const AcceptedSweep& target) const {
   if (!source.R_world_sweep || !target.R_world_sweep) return std::nullopt;
   // Each of the two readings has the tracker's error, so their difference has sqrt(2) of it.
-  return OrientationPrior{(target.R_world_sweep->normalized().conjugate() * source.R_world_sweep->normalized())
-                              .toRotationMatrix(),
-                          std::sqrt(2.0) * robot_.tracker.heading_sigma, std::sqrt(2.0) * robot_.tracker.tilt_sigma};
+  return OrientationPrior{
+      (target.R_world_sweep->normalized().conjugate() * source.R_world_sweep->normalized()).toRotationMatrix(),
+      std::sqrt(2.0) * robot_.tracker.heading_sigma, std::sqrt(2.0) * robot_.tracker.tilt_sigma};
 }
 
 }  // namespace scanway

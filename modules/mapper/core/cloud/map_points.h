@@ -12,7 +12,7 @@ namespace scanway {
 /// The usable points of one sweep, in the map frame.
 struct MapPoints {
   std::vector<Eigen::Vector3f> points;
-  std::vector<float> intensity;  ///< Empty, or one a point.
+  std::vector<float> intensity;                      ///< Empty, or one a point.
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< The sensor's centre in the map frame, metres.
 };
 

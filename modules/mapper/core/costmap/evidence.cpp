@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/parallel/blocks.h"
+#include "modules/mapper/core/cloud/map_points.h"
 
 namespace scanway {
 namespace {
@@ -17,14 +18,9 @@ Cell cell_at(double x, double y, double resolution) {
 
 void count(std::uint8_t& counter) { counter = static_cast<std::uint8_t>(std::min(counter + 1, 255)); }
 
-void count_returns(SweepEvidence& evidence, const MapPoints& points, const GroundSurface& ground,
-                   const SweepViewConfig& config, double resolution) {
-  for (const Eigen::Vector3f& point : points.points) {
-    const Eigen::Vector3d from_sensor = point.cast<double>() - points.origin;
-    if (from_sensor.head<2>().squaredNorm() > config.max_range_m * config.max_range_m) continue;
-    const double above = point.z() - ground.height_at(point.x(), point.y());
-    if (!is_obstacle_return(above, from_sensor.z(), from_sensor.norm(), config)) continue;
-    const Cell cell = cell_at(point.x(), point.y(), resolution);
+void count_returns(SweepEvidence& evidence, const std::vector<ObstacleReturn>& obstacles, double resolution) {
+  for (const ObstacleReturn& obstacle : obstacles) {
+    const Cell cell = cell_at(obstacle.x, obstacle.y, resolution);
     count(evidence[CostMap::tile_of(cell)].returns[CostMap::index_in_tile(cell)]);
   }
 }
@@ -80,15 +76,16 @@ void stand(SweepEvidence& evidence, const Robot::Body& body, const Pose& X_map_s
 
 }  // namespace
 
-SweepEvidence gather_evidence(const MapPoints& points, const GroundSurface& ground, const SweepView& view,
-                              const SweepViewConfig& config, const Robot::Body& body, const Pose& X_map_sweep,
+SweepEvidence gather_evidence(const std::vector<ObstacleReturn>& obstacles, const GroundSurface& ground,
+                              const SweepView& view, const Robot::Body& body, const Pose& X_map_sweep,
                               double resolution_m) {
   SweepEvidence evidence;
-  count_returns(evidence, points, ground, config, resolution_m);
+  count_returns(evidence, obstacles, resolution_m);
 
-  const double range = config.max_range_m;
-  const Cell low = CostMap::tile_of(cell_at(points.origin.x() - range, points.origin.y() - range, resolution_m));
-  const Cell high = CostMap::tile_of(cell_at(points.origin.x() + range, points.origin.y() + range, resolution_m));
+  const Eigen::Vector3d& o = view.origin();
+  const double range = view.max_range_m();
+  const Cell low = CostMap::tile_of(cell_at(o.x() - range, o.y() - range, resolution_m));
+  const Cell high = CostMap::tile_of(cell_at(o.x() + range, o.y() + range, resolution_m));
   std::vector<Cell> tiles;
   for (std::int32_t y = low.y; y <= high.y; ++y) {
     for (std::int32_t x = low.x; x <= high.x; ++x) tiles.push_back({x, y});

@@ -3,11 +3,12 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <vector>
 
 #include "common/geometry/pose.h"
 #include "common/grid/cost_map.h"
 #include "common/robot/robot.h"
-#include "modules/mapper/core/cloud/map_points.h"
+#include "modules/mapper/core/costmap/obstacle_returns.h"
 #include "modules/mapper/core/costmap/sweep_view.h"
 #include "modules/mapper/core/ground/ground_surface.h"
 
@@ -28,10 +29,10 @@ struct EvidenceTile {
 /// One sweep's evidence, by tile index of the cost map.
 using SweepEvidence = std::map<Cell, EvidenceTile>;
 
-/// The evidence of a sweep whose points are in the map frame. The cells under the robot's footprint at X_map_sweep are
-/// free: the robot stands there, and no beam of its own can show it.
-SweepEvidence gather_evidence(const MapPoints& points, const GroundSurface& ground, const SweepView& view,
-                              const SweepViewConfig& config, const Robot::Body& body, const Pose& X_map_sweep,
+/// The evidence of a sweep, from its obstacle returns, its ground and what it saw. The cells under the robot's
+/// footprint at X_map_sweep are free: the robot stands there, and no beam of its own can show it.
+SweepEvidence gather_evidence(const std::vector<ObstacleReturn>& obstacles, const GroundSurface& ground,
+                              const SweepView& view, const Robot::Body& body, const Pose& X_map_sweep,
                               double resolution_m);
 
 /// Lays a sweep over the map: where it has a view, it wins over what was known before.

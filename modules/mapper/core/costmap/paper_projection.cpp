@@ -23,8 +23,8 @@ void fill_free(CostMap& map, Cell low, Cell high) {
       const std::int32_t x0 = std::max(low.x - tx * side, 0), x1 = std::min(high.x - tx * side + 1, side);
       const std::int32_t y0 = std::max(low.y - ty * side, 0), y1 = std::min(high.y - ty * side + 1, side);
       for (std::int32_t y = y0; y < y1; ++y) {
-        std::fill(&tile.state[static_cast<std::size_t>(y) * side + x0], &tile.state[static_cast<std::size_t>(y) * side] + x1,
-                  CellState::free);
+        std::fill(&tile.state[static_cast<std::size_t>(y) * side + x0],
+                  &tile.state[static_cast<std::size_t>(y) * side] + x1, CellState::free);
       }
     }
   }

@@ -6,34 +6,20 @@
 
 #include "common/parallel/blocks.h"
 #include "modules/mapper/core/cloud/radix_sort.h"
+#include "modules/mapper/core/costmap/polar.h"
 
 namespace scanway {
 namespace {
 
-constexpr int kSectors = 2880;
-constexpr double kBin = 0.02;           // metres
-constexpr double kSparseDepth = 0.5;    // metres behind an obstacle's return: the rows on a table top are this far apart
-constexpr double kTallDepth = 2.0;      // metres behind a return from what the sensor does not look over: a car's width
-constexpr double kLookOver = 0.3;       // metres: the sensor looks over what is this far below it
-constexpr double kMaxSpacing = 0.15;    // metres
-constexpr float kNoBeam = std::numeric_limits<float>::infinity();
+using polar::kSectors;
+using polar::sector_of;
 
-/// Sector of the direction (x, y). A polynomial of our own: this is called for every cell of the map, and needs a
-/// hundredth of a sector only.
-int sector_of(float x, float y) {
-  const float ax = std::fabs(x), ay = std::fabs(y);
-  const float high = std::max(ax, ay), low = std::min(ax, ay);
-  const float t = high > 0.0f ? low / high : 0.0f;
-  const float s = t * t;
-  // Abramowitz and Stegun 4.4.49, error below 1e-5 rad
-  float angle = t * (0.9998660f + s * (-0.3302995f + s * (0.1801410f + s * (-0.0851330f + s * 0.0208351f))));
-  constexpr float kPi = 3.14159265f;
-  if (ay > ax) angle = 0.5f * kPi - angle;
-  if (x < 0.0f) angle = kPi - angle;
-  if (y < 0.0f) angle = 2.0f * kPi - angle;
-  const int sector = static_cast<int>(angle * (static_cast<float>(kSectors) / (2.0f * kPi)));
-  return sector >= kSectors ? sector - kSectors : sector;
-}
+constexpr double kBin = 0.02;         // metres
+constexpr double kSparseDepth = 0.5;  // metres behind an obstacle's return: the rows on a table top are this far apart
+constexpr double kTallDepth = 2.0;    // metres behind a return from what the sensor does not look over: a car's width
+constexpr double kLookOver = 0.3;     // metres: the sensor looks over what is this far below it
+constexpr double kMaxSpacing = 0.15;  // metres
+constexpr float kNoBeam = std::numeric_limits<float>::infinity();
 
 /// Median distance to the nearest neighbour, over about 2,000 returns from 1 to 8 m.
 double median_spacing(const MapPoints& points) {
@@ -78,44 +64,30 @@ double median_spacing(const MapPoints& points) {
 
 }  // namespace
 
-bool is_obstacle_return(double above, double drop, double range, const SweepViewConfig& config) {
-  const double sigma_up = config.range_sigma_m * std::fabs(drop) / range;
-  const double threshold = std::max(config.climbable_step_m + config.range_sigma_m, 5.0 * sigma_up);
-  return above > threshold && above <= config.body_height_m;
-}
-
-SweepView::SweepView(const MapPoints& points, const GroundSurface& ground, const SweepViewConfig& config)
+SweepView::SweepView(const MapPoints& points, const GroundSurface& ground, const std::vector<ObstacleReturn>& obstacles,
+                     const SweepViewConfig& config)
     : config_(config),
       origin_(points.origin),
       spacing_(median_spacing(points)),
       bins_(static_cast<int>(config.max_range_m / kBin)) {
   lowest_.assign(static_cast<std::size_t>(kSectors) * bins_, kNoBeam);
   hidden_.assign(lowest_.size(), 0);
-  add_returns(points, ground);
+  add_beams(points, ground);
+  hide_behind(obstacles);
   look_around();
 }
 
-void SweepView::add_returns(const MapPoints& points, const GroundSurface& ground) {
-  const double step = config_.climbable_step_m, floor_band = config_.climbable_step_m + config_.range_sigma_m;
-  std::vector<std::int32_t> edges(lowest_.size() + 1, 0);  // +1 where a hidden stretch begins, -1 behind its end
+void SweepView::add_beams(const MapPoints& points, const GroundSurface& ground) {
+  const double floor_band = config_.climbable_step_m + config_.range_sigma_m;
   for (const Eigen::Vector3f& point : points.points) {
     const Eigen::Vector3d p = point.cast<double>() - origin_;
-    const double range = std::sqrt(p.x() * p.x() + p.y() * p.y());
-    const double above = point.z() - ground.height_at(point.x(), point.y());
-    if (above < -floor_band || range < kBin) continue;
-    const std::size_t row =
-        static_cast<std::size_t>(sector_of(static_cast<float>(p.x()), static_cast<float>(p.y()))) * bins_;
+    const double range = std::max(std::sqrt(p.x() * p.x() + p.y() * p.y()), 1e-4);
     const int bin = std::min(static_cast<int>(range / kBin), bins_ - 1);
-    float& lowest = lowest_[row + bin];
-    lowest = std::min(lowest, static_cast<float>(p.z() / range));
-    if (range >= config_.max_range_m) continue;
-    if (!is_obstacle_return(above, p.z(), p.norm(), config_)) continue;
-    const double sensor_above = above - p.z();
-    // by similar triangles: where the beam, had it gone on, would have come down to the step
-    const double landing = above < sensor_above ? range * (sensor_above - step) / (sensor_above - above) : 1e9;
-    const double end = std::min({landing, range + (p.z() < -kLookOver ? kSparseDepth : kTallDepth), config_.max_range_m - kBin});
-    ++edges[row + bin];
-    --edges[row + std::max(bin, static_cast<int>(end / kBin)) + 1];
+    const auto slope = static_cast<float>(p.z() / range);
+    const int sector = sector_of(static_cast<float>(p.x()), static_cast<float>(p.y()));
+    float& lowest = lowest_[static_cast<std::size_t>(sector) * bins_ + bin];
+    if (slope >= lowest || point.z() - ground.height_at(point.x(), point.y()) < -floor_band) continue;
+    lowest = slope;
   }
   for_blocks(kSectors, 64, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t sector = begin; sector < end; ++sector) {
@@ -123,6 +95,23 @@ void SweepView::add_returns(const MapPoints& points, const GroundSurface& ground
       for (int bin = bins_ - 2; bin >= 0; --bin) lowest[bin] = std::min(lowest[bin], lowest[bin + 1]);
     }
   });
+}
+
+void SweepView::hide_behind(const std::vector<ObstacleReturn>& obstacles) {
+  std::vector<std::int32_t> edges(hidden_.size() + 1, 0);  // +1 where a hidden stretch begins, -1 behind its end
+  for (const ObstacleReturn& obstacle : obstacles) {
+    const double sensor_above = obstacle.above - obstacle.from_sensor;
+    // By similar triangles: where the beam, had it gone on, would have come down to the step.
+    const double landing = obstacle.from_sensor < 0.0f
+                               ? obstacle.range * (sensor_above - config_.climbable_step_m) / -obstacle.from_sensor
+                               : config_.max_range_m;
+    const double depth = obstacle.from_sensor < -kLookOver ? kSparseDepth : kTallDepth;
+    const double end = std::min({landing, obstacle.range + depth, config_.max_range_m - kBin});
+    const int first = std::min(static_cast<int>(obstacle.range / kBin), bins_ - 1);
+    const int last = std::max(first, static_cast<int>(end / kBin));
+    ++edges[static_cast<std::size_t>(obstacle.sector) * bins_ + first];
+    --edges[static_cast<std::size_t>(obstacle.sector) * bins_ + last + 1];
+  }
   std::int32_t open = 0;  // every stretch ends in its own sector
   for (std::size_t i = 0; i < hidden_.size(); ++i) hidden_[i] = (open += edges[i]) > 0 ? 1 : 0;
 }
@@ -130,11 +119,10 @@ void SweepView::add_returns(const MapPoints& points, const GroundSurface& ground
 void SweepView::look_around() {
   std::vector<float> lowest(lowest_.size());
   std::vector<std::uint8_t> hidden(hidden_.size());
-  constexpr double kSector = 2.0 * 3.14159265358979 / kSectors;
   for_blocks(kSectors, 64, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t sector = begin; sector < end; ++sector) {
       for (int bin = 0; bin < bins_; ++bin) {
-        const double lateral = 0.75 * spacing_ / ((bin + 0.5) * kBin * kSector);
+        const double lateral = 0.75 * spacing_ / ((bin + 0.5) * kBin * polar::kSectorWidth);
         const int reach = std::clamp(static_cast<int>(lateral + 0.5), 1, kSectors / 4);
         float least = kNoBeam;
         std::uint8_t any = 0;

@@ -4,17 +4,10 @@
 #include <vector>
 
 #include "modules/mapper/core/cloud/map_points.h"
+#include "modules/mapper/core/costmap/obstacle_returns.h"
 #include "modules/mapper/core/ground/ground_surface.h"
 
 namespace scanway {
-
-struct SweepViewConfig {
-  double body_height_m = 1.5;
-  double climbable_step_m = 0.02;
-  double range_sigma_m = 0.01;
-  double divergence = 0.0047;  ///< Full angle of a beam, radians.
-  double max_range_m = 30.0;   ///< From the sensor, horizontally: nothing is called seen beyond.
-};
 
 /// What a sweep's beams passed over, in polar cells about the sensor: sectors of an eighth of a degree, bins of 2 cm.
 ///
@@ -23,17 +16,18 @@ struct SweepViewConfig {
 /// what lies on the ground behind a low obstacle therefore stays unknown until a beam comes down to it. Returns from
 /// below the ground (mirrors, wet floor, pits) are no evidence of anything above it and are left out.
 ///
-/// Behind a return from an obstacle, but not beyond where its beam would have reached the ground, the beam's further way
-/// is hidden. It is for 0.5 m where the sensor looks down upon the obstacle: it shows how deep it is by returns from
-/// its top, however sparse, and these must not open it between them. It is for 2 m where the obstacle reaches up to the
-/// sensor: nothing shows its depth, and beams that go on below it (a car, a bench) see floor that it covers.
+/// Behind a return from an obstacle, but not beyond where its beam would have reached the ground, the beam's further
+/// way is hidden. It is for 0.5 m where the sensor looks down upon the obstacle: it shows how deep it is by returns
+/// from its top, however sparse, and these must not open it between them. It is for 2 m where the obstacle reaches up
+/// to the sensor: nothing shows its depth, and beams that go on below it (a car, a bench) see floor that it covers.
 ///
 /// Clouds are thinned in many ways: between two returns that are a thinning step apart, the beams have been thrown
 /// away. A polar cell looks at the sectors within 3/4 of that step, at least one on each side, for the lowest beam and
 /// for what hides it. The step is the median distance of a return to its nearest neighbour, at most 0.15 m.
 class SweepView {
  public:
-  SweepView(const MapPoints& points, const GroundSurface& ground, const SweepViewConfig& config);
+  SweepView(const MapPoints& points, const GroundSurface& ground, const std::vector<ObstacleReturn>& obstacles,
+            const SweepViewConfig& config);
 
   /// Whether the air over the ground at (x, y), map frame, was seen to be empty from the climbable step upwards:
   /// the lowest beam passed within the step, the range's deviation, its own half width and the thinning of it.
@@ -41,23 +35,20 @@ class SweepView {
 
   /// The median distance of returns, metres.
   double spacing_m() const { return spacing_; }
+  const Eigen::Vector3d& origin() const { return origin_; }  ///< The sensor, in the map.
+  double max_range_m() const { return config_.max_range_m; }
 
  private:
-  void add_returns(const MapPoints& points, const GroundSurface& ground);
+  void add_beams(const MapPoints& points, const GroundSurface& ground);
+  void hide_behind(const std::vector<ObstacleReturn>& obstacles);
   void look_around();
 
   SweepViewConfig config_;
   Eigen::Vector3d origin_;
   double spacing_ = 0.0;
   int bins_ = 0;
-  std::vector<float> lowest_;         ///< By sector, then bin: the least slope (dz / horizontal range) of beams over it.
+  std::vector<float> lowest_;  ///< By sector, then bin: the least slope (dz / horizontal range) of beams over it.
   std::vector<std::uint8_t> hidden_;  ///< By sector, then bin.
 };
-
-/// Whether a return `above` metres over the local ground, seen from a sensor `drop` metres above it at `range`, is from
-/// an obstacle. The range's noise moves it along the beam, so up or down by sigma * drop / range: floor under a steep
-/// beam is noisier than far floor. An obstacle is what no floor shows in a sweep: over the climbable step by one
-/// deviation (the paper's band), and over five deviations of the height. One such return is enough.
-bool is_obstacle_return(double above, double drop, double range, const SweepViewConfig& config);
 
 }  // namespace scanway

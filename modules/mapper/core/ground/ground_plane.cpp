@@ -12,9 +12,9 @@ namespace scanway {
 namespace {
 
 constexpr double kVoterSide = 0.2;
-constexpr double kSensorClearance = 0.05; // the ground is at least this far below the sensor
-constexpr double kNear = 5.0;             // a voter at this distance weighs half
-constexpr int kSamples = 4000;            // triples drawn; most are too steep to be worth counting
+constexpr double kSensorClearance = 0.05;  // the ground is at least this far below the sensor
+constexpr double kNear = 5.0;              // a voter at this distance weighs half
+constexpr int kSamples = 4000;             // triples drawn; most are too steep to be worth counting
 constexpr int kRefinements = 4;
 
 /// One point for each 0.2 m cube, relative to the sensor's foot, with its weight.

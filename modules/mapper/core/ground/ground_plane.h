@@ -14,8 +14,8 @@ struct GroundPlane {
   double height_m = 0.0;
   double slope_x = 0.0;
   double slope_y = 0.0;
-  double rms_m = 0.0;      ///< Of the vertical distances of its points.
-  double area_m2 = 0.0;    ///< How much floor its points show, counted in squares of 0.2 m.
+  double rms_m = 0.0;    ///< Of the vertical distances of its points.
+  double area_m2 = 0.0;  ///< How much floor its points show, counted in squares of 0.2 m.
 
   double height_at(double x, double y) const { return height_m + slope_x * x + slope_y * y; }
   /// Distance of p from the plane, positive above it, metres.
@@ -23,11 +23,11 @@ struct GroundPlane {
 };
 
 struct GroundPlaneConfig {
-  double max_slope = 0.2618;  ///< Radians from the horizontal.
-  double inlier_m = 0.03;     ///< Half the thickness of what counts as one plane.
-  double min_area_m2 = 1.0;   ///< Less floor than this is no ground.
-  double max_range_m = 20.0;  ///< From the sensor, horizontally.
-  double sensor_height_m = 0.0;            ///< Of the sensor above the ground, if known; 0: not known.
+  double max_slope = 0.2618;                ///< Radians from the horizontal.
+  double inlier_m = 0.03;                   ///< Half the thickness of what counts as one plane.
+  double min_area_m2 = 1.0;                 ///< Less floor than this is no ground.
+  double max_range_m = 20.0;                ///< From the sensor, horizontally.
+  double sensor_height_m = 0.0;             ///< Of the sensor above the ground, if known; 0: not known.
   double sensor_height_tolerance_m = 0.15;  ///< How far the ground may be from where the sensor's height puts it.
   std::uint64_t seed = 1;
 };

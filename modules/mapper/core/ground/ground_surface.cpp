@@ -13,6 +13,7 @@ constexpr double kUnit = 1e-4;           // of heights
 constexpr double kMaxHeight = 3.0;       // of points above or below the ground plane that may yet be ground
 constexpr double kStartRange = 2.0;      // floor this near to the robot is what it stands on
 constexpr double kShrinkage = 0.01;      // m^2: draws a fitted slope towards the ground plane's where points are few
+constexpr double kMaxDisagreeing = 0.1;  // of the points around: stray returns do not take the floor away
 constexpr int kFillRings = 50;           // columns: how far a height is carried over to where there is no ground
 
 std::int32_t to_units(double metres) { return static_cast<std::int32_t>(std::floor(metres / kUnit + 0.5)); }
@@ -148,6 +149,7 @@ void GroundSurface::cross_gaps() {
 void GroundSurface::fit_column(int cx, int cy) {
   double n = 0.0, x1 = 0.0, y1 = 0.0, u1 = 0.0, xx = 0.0, xy = 0.0, yy = 0.0, xu = 0.0, yu = 0.0;
   std::array<Eigen::Vector3d, 64> samples;
+  std::array<double, 64> weights;
   std::size_t count = 0;
   const auto take = [&](int x, int y) {
     if (!inside(cx + x, cy + y)) return;
@@ -157,6 +159,7 @@ void GroundSurface::fit_column(int cx, int cy) {
     // relative to the centre of this column
     const Eigen::Vector3d p((x - 0.5) * kColumn + c.x_sum / points * kUnit,
                             (y - 0.5) * kColumn + c.y_sum / points * kUnit, c.u_sum / points * kUnit);
+    weights[count] = std::min(points, 100.0);
     samples[count++] = p;
     n += 1.0, x1 += p.x(), y1 += p.y(), u1 += p.z();
     xx += p.x() * p.x(), xy += p.x() * p.y(), yy += p.y() * p.y(), xu += p.x() * p.z(), yu += p.y() * p.z();
@@ -173,9 +176,12 @@ void GroundSurface::fit_column(int cx, int cy) {
   const double a = (sxu * syy - syu * sxy) / determinant, b = (syu * sxx - sxu * sxy) / determinant;
   const double c = (u1 - a * x1 - b * y1) / n;
   const double limit = config_.climbable_step_m + config_.range_sigma_m;
+  double disagreeing = 0.0, all = 0.0;  // points
   for (std::size_t i = 0; i < count; ++i) {
-    if (std::fabs(samples[i].z() - (c + a * samples[i].x() + b * samples[i].y())) > limit) return;
+    all += weights[i];
+    if (std::fabs(samples[i].z() - (c + a * samples[i].x() + b * samples[i].y())) > limit) disagreeing += weights[i];
   }
+  if (disagreeing > kMaxDisagreeing * all) return;
   const double slope_x = plane_.slope_x + a, slope_y = plane_.slope_y + b;
   const double gradient = std::sqrt(slope_x * slope_x + slope_y * slope_y);
   if (repeatable::atan2(gradient, 1.0) > config_.climbable_slope) return;

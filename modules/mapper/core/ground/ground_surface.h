@@ -25,8 +25,9 @@ struct GroundSurfaceConfig {
 /// shadow joins when it lies at the height of the nearest floor towards the robot. A platform, a table or a kerb that
 /// is too high to climb therefore never joins, however flat it is.
 ///
-/// A column is carried when at least two joined columns within 0.3 m agree on one plane: none off it by more than the
-/// step, and its slope climbable. The height in the column is that plane's.
+/// A column is carried when at least two joined columns within 0.3 m agree on one plane: of their points at most a
+/// tenth in columns that are off it by more than the widened step, and its slope climbable. The height in the column is
+/// that plane's.
 class GroundSurface {
  public:
   static constexpr double kColumn = 0.1;  ///< Metres.
@@ -74,13 +75,13 @@ class GroundSurface {
 
   GroundPlane plane_;
   GroundSurfaceConfig config_;
-  int side_ = 0;            ///< Columns along an edge of the square.
-  double corner_x_ = 0.0;   ///< Map coordinates of the square's lowest corner: multiples of kColumn.
+  int side_ = 0;           ///< Columns along an edge of the square.
+  double corner_x_ = 0.0;  ///< Map coordinates of the square's lowest corner: multiples of kColumn.
   double corner_y_ = 0.0;
   std::int32_t band_ = 0;
   std::vector<Column> columns_;
-  std::vector<Point> points_;        ///< By column.
-  std::vector<std::size_t> first_;   ///< A column's first point; one more at the end.
+  std::vector<Point> points_;       ///< By column.
+  std::vector<std::size_t> first_;  ///< A column's first point; one more at the end.
 };
 
 }  // namespace scanway
