@@ -13,6 +13,8 @@ constexpr std::size_t kHeaderBinary = 8;  // Four STX and the length.
 constexpr std::size_t kCommandLength = 3;
 constexpr std::string_view kCommands[] = {"sRN", "sRA", "sWN", "sWA", "sMN", "sAN", "sEN", "sEA", "sSN", "sFA"};
 
+bool is_stx(std::uint8_t byte) { return byte == kStx; }
+
 /// Whether a body may begin like this: with a command, or as much of one as there is.
 bool begins_with_command(std::span<const std::uint8_t> body) {
   const std::size_t length = std::min(body.size(), kCommandLength);
@@ -28,40 +30,36 @@ std::uint8_t checksum(std::span<const std::uint8_t> body) {
   return sum;
 }
 
-/// The length of the body that a binary header promises; nothing if this cannot be one.
+/// The length of the body that a binary header promises; nothing if these bytes are none.
 std::optional<std::size_t> length_in_header(std::span<const std::uint8_t> bytes) {
-  if (bytes.size() < kHeaderBinary + kCommandLength) return std::nullopt;
-  if (!std::all_of(bytes.begin(), bytes.begin() + 4, [](std::uint8_t byte) { return byte == kStx; })) {
-    return std::nullopt;
-  }
+  const auto start = bytes.first(4);
+  if (!std::all_of(start.begin(), start.end(), is_stx)) return std::nullopt;
   const std::size_t length = BigEndianReader(bytes.subspan(4)).u32();
   if (length < kCommandLength || length > kMaxBodyBinary) return std::nullopt;
   if (!begins_with_command(bytes.subspan(kHeaderBinary))) return std::nullopt;
   return length;
 }
 
-/// Whether another telegram begins inside this one and ends outside it: then this one was cut short, and its checksum
-/// of one byte is right by accident.
-bool another_reaches_out(std::span<const std::uint8_t> frame) {
-  for (auto at = std::find(frame.begin() + 1, frame.end(), kStx); at != frame.end();
-       at = std::find(at + 1, frame.end(), kStx)) {
-    const auto rest = frame.subspan(static_cast<std::size_t>(at - frame.begin()));
-    const auto length = length_in_header(rest);
-    if (length && kHeaderBinary + *length + 1 > rest.size()) return true;
+/// Whether another telegram begins inside this one: no data look like that. Then this one was cut short, or its length
+/// is wrong, and its checksum of one byte is right by accident.
+bool another_begins_inside(std::span<const std::uint8_t> frame) {
+  const auto end = frame.end() - static_cast<std::ptrdiff_t>(kHeaderBinary + kCommandLength);
+  for (auto at = std::find(frame.begin() + 1, end, kStx); at < end; at = std::find(at + 1, end, kStx)) {
+    if (length_in_header(frame.subspan(static_cast<std::size_t>(at - frame.begin())))) return true;
   }
   return false;
 }
 
 FrameProbe probe_binary(std::span<const std::uint8_t> bytes) {
+  const auto start = bytes.first(std::min<std::size_t>(bytes.size(), 4));
+  if (!std::all_of(start.begin(), start.end(), is_stx)) return FrameProbe::none();
   if (bytes.size() < kHeaderBinary) return FrameProbe::unfinished();
-  const std::size_t length = BigEndianReader(bytes.subspan(4)).u32();
-  if (length < kCommandLength || length > kMaxBodyBinary) return FrameProbe::none();
-  const auto body = bytes.subspan(kHeaderBinary, std::min(length, bytes.size() - kHeaderBinary));
-  if (!begins_with_command(body)) return FrameProbe::none();
-  const std::size_t whole = kHeaderBinary + length + 1;
+  const auto length = length_in_header(bytes);
+  if (!length) return FrameProbe::none();
+  const std::size_t whole = kHeaderBinary + *length + 1;
   if (bytes.size() < whole) return FrameProbe::unfinished();
-  if (checksum(body) != bytes[whole - 1]) return FrameProbe::broken("wrong checksum");
-  if (another_reaches_out(bytes.first(whole))) return FrameProbe::broken("cut short: another telegram begins in it");
+  if (checksum(bytes.subspan(kHeaderBinary, *length)) != bytes[whole - 1]) return FrameProbe::broken("wrong checksum");
+  if (another_begins_inside(bytes.first(whole))) return FrameProbe::broken("cut short: another telegram begins in it");
   return FrameProbe::whole(whole);
 }
 
@@ -88,10 +86,6 @@ FrameProbe probe_frame(std::span<const std::uint8_t> bytes) {
   if (bytes[0] != kStx) return FrameProbe::none();
   if (bytes.size() == 1) return FrameProbe::unfinished();
   if (bytes[1] != kStx) return probe_ascii(bytes);
-  const auto start = bytes.first(std::min<std::size_t>(bytes.size(), 4));
-  if (!std::all_of(start.begin(), start.end(), [](std::uint8_t byte) { return byte == kStx; })) {
-    return FrameProbe::none();
-  }
   return probe_binary(bytes);
 }
 
