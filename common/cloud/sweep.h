@@ -16,8 +16,8 @@ namespace scanway {
 /// imported clouds the scan's own frame (sensor at the origin, z up), for the robot's sweeps `base`.
 struct Sweep {
   std::string name;
-  Utime utime = 0;   ///< When the last of its points was measured.
-  PointCloud cloud;  ///< In the sweep's frame.
+  Utime utime = 0;                           ///< When the last of its points was measured.
+  PointCloud cloud;                          ///< In the sweep's frame.
   std::vector<std::int32_t> time_offset_us;  ///< Each point's time relative to utime (<= 0); empty if not known.
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< The sensor's centre in the sweep's frame, metres.
   std::optional<double> sensor_height_m;             ///< Of the sensor's centre above the ground below it, if known.
