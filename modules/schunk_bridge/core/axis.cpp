@@ -129,8 +129,9 @@ std::string Axis::acknowledge() {
 }
 
 std::string Axis::description() const {
-  std::string text = info_ ? info_->type : std::string("module");
-  text += " " + std::to_string(config_.module);
+  std::string text = info_ ? info_->type : "module";
+  text += ' ';
+  text += std::to_string(config_.module);
   if (info_) {
     char firmware[32];
     std::snprintf(firmware, sizeof firmware, ", firmware %.2f", info_->firmware);
