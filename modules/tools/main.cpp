@@ -13,6 +13,10 @@
 
 #include "common/files/input_error.h"
 #include "common/files/printable.h"
+#include "modules/tools/decode_erratic.h"
+#include "modules/tools/decode_lms.h"
+#include "modules/tools/decode_schunk.h"
+#include "modules/tools/decode_xsens.h"
 #include "modules/tools/import_clouds.h"
 #include "modules/tools/info.h"
 #include "modules/tools/plan.h"
@@ -120,6 +124,28 @@ void add_info(CLI::App& app, Action& action) {
   command->callback([&action] { action = [] { return run_info(options); }; });
 }
 
+void add_decode(CLI::App& app, Action& action) {
+  struct Device {
+    const char* name;
+    const char* help;
+    int (*run)(const std::string&);
+  };
+  static constexpr Device kDevices[] = {
+      {"lms", "SICK LMS5xx: CoLa-A or CoLa-B telegrams", run_decode_lms},
+      {"schunk", "SCHUNK PW-70: Motion Protocol frames on CAN", run_decode_schunk},
+      {"xsens", "Xsens tracker: MTData and MTData2", run_decode_xsens},
+      {"erratic", "ERA-Mobi base: its serial packets", run_decode_erratic},
+  };
+  static std::string file;
+  CLI::App* decode = app.add_subcommand("decode", "A device's recorded bytes as JSON lines, what is broken marked");
+  decode->require_subcommand(1);
+  for (const Device& device : kDevices) {
+    CLI::App* command = decode->add_subcommand(device.name, device.help);
+    command->add_option("file", file, "What the device sent")->required();
+    command->callback([&action, run = device.run] { action = [run] { return run(file); }; });
+  }
+}
+
 /// The error's one line, and the exit status for bad input.
 int refuse(const std::string& message) {
   std::fputs(fmt::format("scanway: {}\n", printable(message)).c_str(), stderr);
@@ -139,6 +165,7 @@ int run(int argc, char** argv) {
   add_plan(app, action);
   add_replay(app, action);
   add_info(app, action);
+  add_decode(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,0 +1,54 @@
+#include "modules/tools/replay.h"
+
+#include <cstdio>
+
+#include <spdlog/spdlog.h>
+
+#include "common/bus/log_reader.h"
+#include "common/bus/log_writer.h"
+#include "common/config/robot_file.h"
+#include "common/files/printable.h"
+#include "common/files/product_folder.h"
+#include "modules/replay/products.h"
+#include "modules/replay/replay.h"
+#include "modules/tools/progress_bar.h"
+
+namespace scanway::tools {
+namespace {
+
+constexpr int kLogWasDamaged = 1;
+
+Robot robot_for(const ReplayOptions& options) {
+  if (!options.robot.empty()) return load_robot(options.robot);
+  if (const auto robot = robot_of_log(options.log)) return *robot;
+  spdlog::warn("{}: holds no configuration (PARAMS); taking the built-in ERA-Mobi", printable(options.log));
+  return Robot{};
+}
+
+}  // namespace
+
+int run_replay(const ReplayOptions& options) {
+  LogReader log(options.log);
+  const Robot robot = robot_for(options);
+  const ProductFolder folder(options.output);
+
+  LogWriter recording(folder.path_of("out.lcmlog"));
+  Replay replay(robot, recording);
+  {
+    ProgressBar bar("replaying " + printable(options.log));
+    replay.run(log, [&bar](double share) { bar.show(share); });
+  }
+  recording.close();
+
+  ReplayReport report = replay.report();
+  report.log = options.log;
+  report.trouble = log.trouble();
+  report.digests = write_products(replay.mapper(), replay.planner(), folder);
+  folder.write("report.json", report_json(report));
+  std::fputs(report_table(report).c_str(), stdout);
+  if (report.trouble.empty()) return 0;
+  spdlog::error("{}: {}", printable(options.log), printable(report.trouble));
+  return kLogWasDamaged;
+}
+
+}  // namespace scanway::tools
