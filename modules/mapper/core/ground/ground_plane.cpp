@@ -13,8 +13,9 @@ namespace {
 
 constexpr double kVoterSide = 0.2;
 constexpr double kSensorClearance = 0.05;  // the ground is at least this far below the sensor
-constexpr double kNear = 5.0;              // a voter at this distance weighs half
-constexpr int kSamples = 4000;             // triples drawn; most are too steep to be worth counting
+constexpr double kNear = 2.5;              // a voter at this distance weighs half
+constexpr std::size_t kWallCubes = 3;
+constexpr int kSamples = 4000;  // triples drawn; most are too steep to be worth counting
 constexpr int kRefinements = 4;
 
 /// One point for each 0.2 m cube, relative to the sensor's foot, with its weight.
@@ -37,14 +38,20 @@ std::vector<Voter> choose_voters(const MapPoints& points, const GroundPlaneConfi
     entries.push_back({index(p.x()) << 42 | index(p.y()) << 21 | index(p.z()), p});
   }
   radix_sort_by_key(entries);
+  entries.erase(
+      std::unique(entries.begin(), entries.end(), [](const auto& a, const auto& b) { return a.key == b.key; }),
+      entries.end());
+  // Sorted, cubes above each other follow each other: three in a row are a wall, and its layers would vote for planes.
   std::vector<Voter> voters;
-  std::uint64_t last = ~std::uint64_t{0};
-  for (const Entry& entry : entries) {
-    if (entry.key == last) continue;
-    last = entry.key;
-    const double range2 = entry.p.x() * entry.p.x() + entry.p.y() * entry.p.y();
-    const auto weight = static_cast<std::int64_t>(1024.0 / (1.0 + range2 / (kNear * kNear)));
-    voters.push_back({entry.p.x(), entry.p.y(), entry.p.z(), weight});
+  for (std::size_t begin = 0, end = 0; begin < entries.size(); begin = end) {
+    for (end = begin + 1; end < entries.size() && entries[end].key == entries[end - 1].key + 1;) ++end;
+    if (end - begin >= kWallCubes) continue;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Eigen::Vector3d& p = entries[i].p;
+      const double range2 = p.x() * p.x() + p.y() * p.y();
+      const auto weight = static_cast<std::int64_t>(1024.0 / (1.0 + range2 / (kNear * kNear)));
+      voters.push_back({p.x(), p.y(), p.z(), weight});
+    }
   }
   return voters;
 }

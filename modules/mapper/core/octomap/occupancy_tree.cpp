@@ -29,10 +29,17 @@ std::string OccupancyTree::ot_bytes() const {
 }
 
 std::string OccupancyTree::bt_bytes() const {
-  // writeBinary sets every node to its most likely state and prunes: on a copy, for the tree must keep its log-odds.
+  // What writeBinary does, but on a copy, for it sets every node to its most likely state and prunes, and without the
+  // lines that it prints.
   octomap::OcTree most_likely(*tree_);
+  most_likely.toMaxLikelihood();
+  most_likely.prune();
   std::ostringstream bytes;
-  most_likely.writeBinary(bytes);
+  bytes
+      << "# Octomap OcTree binary file\n# (feel free to add / change comments, but leave the first line as it is!)\n#\n"
+      << "id " << most_likely.getTreeType() << "\nsize " << most_likely.size() << "\nres "
+      << most_likely.getResolution() << "\ndata\n";
+  most_likely.writeBinaryData(bytes);
   return std::move(bytes).str();
 }
 
