@@ -33,10 +33,11 @@ bool look_at_ground(Cell index, EvidenceTile& tile, const GroundSurface& ground,
     const double y = (index.y * CostTile::kSide + row + 0.5) * resolution;
     for (std::int32_t column = 0; column < CostTile::kSide; ++column) {
       const double x = (index.x * CostTile::kSide + column + 0.5) * resolution;
-      if (!ground.carried(x, y)) continue;
+      const GroundSurface::Place place = ground.at(x, y);
+      if (!place.carried) continue;
       const std::size_t cell = static_cast<std::size_t>(row) * CostTile::kSide + column;
-      tile.ground[cell] = static_cast<std::uint8_t>(ground.support(x, y));
-      tile.beams[cell] = view.seen_empty(x, y, ground.height_at(x, y)) ? 1 : 0;
+      tile.ground[cell] = static_cast<std::uint8_t>(place.support);
+      tile.beams[cell] = view.seen_empty(x, y, place.height) ? 1 : 0;
       any = any || tile.beams[cell] != 0;
     }
   }
@@ -94,6 +95,8 @@ SweepEvidence gather_evidence(const std::vector<ObstacleReturn>& obstacles, cons
   std::vector<std::unique_ptr<EvidenceTile>> seen(tiles.size());
   for_blocks(tiles.size(), 16, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t i = begin; i < end; ++i) {
+      const double side = CostTile::kSide * resolution_m, x = tiles[i].x * side, y = tiles[i].y * side;
+      if (!ground.carries_within(x, y, x + side, y + side)) continue;
       auto tile = std::make_unique<EvidenceTile>();
       if (look_at_ground(tiles[i], *tile, ground, view, resolution_m)) seen[i] = std::move(tile);
     }

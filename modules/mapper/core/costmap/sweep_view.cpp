@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 #include "common/parallel/blocks.h"
@@ -117,22 +118,26 @@ void SweepView::hide_behind(const std::vector<ObstacleReturn>& obstacles) {
 }
 
 void SweepView::look_around() {
+  // A lateral distance spans fewer sectors the further out: bins_to_look[d] is where it no longer spans d of them.
+  std::vector<int> bins_to_look;
+  for (int d = 0; d <= kSectors / 4; ++d) {
+    const double range = 0.75 * spacing_ / ((d - 0.5) * polar::kSectorWidth);
+    bins_to_look.push_back(d <= 1 ? bins_ : std::min(static_cast<int>(range / kBin + 0.5), bins_));
+    if (bins_to_look.back() == 0) break;
+  }
   std::vector<float> lowest(lowest_.size());
   std::vector<std::uint8_t> hidden(hidden_.size());
+  const int reach = static_cast<int>(bins_to_look.size()) - 1;
   for_blocks(kSectors, 64, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t sector = begin; sector < end; ++sector) {
-      for (int bin = 0; bin < bins_; ++bin) {
-        const double lateral = 0.75 * spacing_ / ((bin + 0.5) * kBin * polar::kSectorWidth);
-        const int reach = std::clamp(static_cast<int>(lateral + 0.5), 1, kSectors / 4);
-        float least = kNoBeam;
-        std::uint8_t any = 0;
-        for (int d = -reach; d <= reach; ++d) {
-          const std::size_t other = (sector + kSectors + d) % kSectors * bins_ + bin;
-          least = std::min(least, lowest_[other]);
-          any |= hidden_[other];
-        }
-        lowest[sector * bins_ + bin] = least;
-        hidden[sector * bins_ + bin] = any;
+      float* least = &lowest[sector * bins_];
+      std::uint8_t* any = &hidden[sector * bins_];
+      std::fill(least, least + bins_, kNoBeam);
+      for (int d = -reach; d <= reach; ++d) {
+        const std::size_t other = (sector + kSectors + d) % kSectors * bins_;
+        const int bins = bins_to_look[static_cast<std::size_t>(std::abs(d))];
+        for (int bin = 0; bin < bins; ++bin) least[bin] = std::min(least[bin], lowest_[other + bin]);
+        for (int bin = 0; bin < bins; ++bin) any[bin] |= hidden_[other + bin];
       }
     }
   });

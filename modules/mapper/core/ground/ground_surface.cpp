@@ -65,7 +65,7 @@ void GroundSurface::sort_points(const MapPoints& points) {
     if (!(x >= 0.0 && y >= 0.0 && x < side_ && y < side_) || std::fabs(u) > kMaxHeight) continue;
     const int cx = static_cast<int>(x), cy = static_cast<int>(y);
     const auto within = [](double v, int c) { return static_cast<std::int16_t>((v - c) * kColumn / kUnit); };
-    unsorted.push_back({at(cx, cy), within(x, cx), within(y, cy), to_units(u)});
+    unsorted.push_back({index(cx, cy), within(x, cx), within(y, cy), to_units(u)});
     ++first_[unsorted.back().key + 1];
   }
   for (std::size_t c = 0; c < columns_.size(); ++c) first_[c + 1] += first_[c];
@@ -74,14 +74,14 @@ void GroundSurface::sort_points(const MapPoints& points) {
   for (const Point& point : unsorted) points_[next[point.key]++] = point;
 }
 
-bool GroundSurface::join(std::size_t index, std::int32_t expected) {
-  Column& column = columns_[index];
-  if (column.joined || first_[index] == first_[index + 1]) return false;
+bool GroundSurface::join(std::size_t which, std::int32_t expected) {
+  Column& column = columns_[which];
+  if (column.joined || first_[which] == first_[which + 1]) return false;
   // Twice: the second time about the mean of the first, so that half of a small step is not cut off.
   for (int round = 0; round < 2; ++round) {
     Column ground;
     int above = 0;
-    for (std::size_t i = first_[index]; i < first_[index + 1]; ++i) {
+    for (std::size_t i = first_[which]; i < first_[which + 1]; ++i) {
       const Point& p = points_[i];
       const std::int32_t over = p.u - expected;
       above += over > band_ && over <= band_ + 1000 ? 1 : 0;
@@ -103,7 +103,7 @@ void GroundSurface::grow(std::vector<std::size_t> front) {
     const std::int32_t height = mean(front[next]);
     for (const Eigen::Vector2i& offset : reachable()) {
       const int x = cx + offset.x(), y = cy + offset.y();
-      if (inside(x, y) && join(at(x, y), height)) front.push_back(at(x, y));
+      if (inside(x, y) && join(index(x, y), height)) front.push_back(index(x, y));
     }
   }
 }
@@ -117,7 +117,7 @@ void GroundSurface::start_around_robot() {
     for (int y = -radius; y <= radius; ++y) {
       for (int x = -radius; x <= radius; ++x) {
         if (x * x + y * y > radius * radius || !inside(centre + x, centre + y)) continue;
-        if (join(at(centre + x, centre + y), 0)) front.push_back(at(centre + x, centre + y));
+        if (join(index(centre + x, centre + y), 0)) front.push_back(index(centre + x, centre + y));
       }
     }
   }
@@ -131,11 +131,11 @@ void GroundSurface::cross_gaps() {
     for (int y = -ring; y <= ring; ++y) {
       const int step = std::abs(y) == ring ? 1 : 2 * ring;
       for (int x = -ring; x <= ring; x += step) {
-        const std::size_t column = at(centre + x, centre + y);
+        const std::size_t column = index(centre + x, centre + y);
         if (columns_[column].joined || first_[column] == first_[column + 1]) continue;
         std::int32_t expected = 0;
         for (int r = ring - 1; r > 0; --r) {  // the nearest joined column on the line to the robot
-          const Column& towards = columns_[at(centre + x * r / ring, centre + y * r / ring)];
+          const Column& towards = columns_[index(centre + x * r / ring, centre + y * r / ring)];
           if (!towards.joined) continue;
           expected = towards.u_sum / towards.count;
           break;
@@ -153,7 +153,7 @@ void GroundSurface::fit_column(int cx, int cy) {
   std::size_t count = 0;
   const auto take = [&](int x, int y) {
     if (!inside(cx + x, cy + y)) return;
-    const Column& c = columns_[at(cx + x, cy + y)];
+    const Column& c = columns_[index(cx + x, cy + y)];
     if (!c.joined) return;
     const double points = c.count;
     // relative to the centre of this column
@@ -166,7 +166,7 @@ void GroundSurface::fit_column(int cx, int cy) {
   };
   take(0, 0);
   for (const Eigen::Vector2i& offset : reachable()) take(offset.x(), offset.y());
-  Column& column = columns_[at(cx, cy)];
+  Column& column = columns_[index(cx, cy)];
   column.support = static_cast<std::uint8_t>(count);
   if (count < 2) return;
 
@@ -204,44 +204,39 @@ void GroundSurface::fill_outwards() {
       const int cx = static_cast<int>(c % side_), cy = static_cast<int>(c / side_);
       for (const Eigen::Vector2i& step : {Eigen::Vector2i(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
         const int x = cx + step.x(), y = cy + step.y();
-        if (!inside(x, y) || known[at(x, y)]) continue;
-        known[at(x, y)] = true;
-        columns_[at(x, y)].height = columns_[c].height;
-        next.push_back(at(x, y));
+        if (!inside(x, y) || known[index(x, y)]) continue;
+        known[index(x, y)] = true;
+        columns_[index(x, y)].height = columns_[c].height;
+        next.push_back(index(x, y));
       }
     }
     front.swap(next);
   }
 }
 
-const GroundSurface::Column* GroundSurface::column_of(double x, double y, double& from_centre_x,
-                                                      double& from_centre_y) const {
+GroundSurface::Place GroundSurface::at(double x, double y) const {
+  Place place{false, 0, plane_.height_at(x, y)};
   const double fx = (x - corner_x_) / kColumn, fy = (y - corner_y_) / kColumn;
-  if (!(fx >= 0.0 && fy >= 0.0 && fx < side_ && fy < side_)) return nullptr;
+  if (!(fx >= 0.0 && fy >= 0.0 && fx < side_ && fy < side_)) return place;
   const int cx = static_cast<int>(fx), cy = static_cast<int>(fy);
-  from_centre_x = (fx - cx - 0.5) * kColumn;
-  from_centre_y = (fy - cy - 0.5) * kColumn;
-  return &columns_[at(cx, cy)];
+  const Column& column = columns_[index(cx, cy)];
+  place.carried = column.carried;
+  place.support = column.support;
+  place.height += column.height + (column.slope_x * (fx - cx - 0.5) + column.slope_y * (fy - cy - 0.5)) * kColumn;
+  return place;
 }
 
-bool GroundSurface::carried(double x, double y) const {
-  double dx = 0.0, dy = 0.0;
-  const Column* column = column_of(x, y, dx, dy);
-  return column != nullptr && column->carried;
-}
-
-int GroundSurface::support(double x, double y) const {
-  double dx = 0.0, dy = 0.0;
-  const Column* column = column_of(x, y, dx, dy);
-  return column == nullptr ? 0 : column->support;
-}
-
-double GroundSurface::height_at(double x, double y) const {
-  double dx = 0.0, dy = 0.0;
-  const Column* column = column_of(x, y, dx, dy);
-  if (column == nullptr) return plane_.height_at(x, y);
-  const double local = column->height + column->slope_x * dx + column->slope_y * dy;
-  return plane_.height_at(x, y) + local;
+bool GroundSurface::carries_within(double x0, double y0, double x1, double y1) const {
+  const auto column = [this](double v, double corner) {
+    return static_cast<int>(std::clamp(std::floor((v - corner) / kColumn), -1.0, static_cast<double>(side_)));
+  };
+  const int cx1 = std::min(column(x1, corner_x_), side_ - 1), cy1 = std::min(column(y1, corner_y_), side_ - 1);
+  for (int cy = std::max(column(y0, corner_y_), 0); cy <= cy1; ++cy) {
+    for (int cx = std::max(column(x0, corner_x_), 0); cx <= cx1; ++cx) {
+      if (columns_[index(cx, cy)].carried) return true;
+    }
+  }
+  return false;
 }
 
 double GroundSurface::area_m2() const {

@@ -35,13 +35,18 @@ class GroundSurface {
 
   GroundSurface(const MapPoints& points, const GroundPlane& plane, const GroundSurfaceConfig& config);
 
-  /// Whether the ground model carries (x, y), map frame.
-  bool carried(double x, double y) const;
-  /// Height of the ground at (x, y): of the column's plane where it is carried, else of the nearest carried column's
-  /// ground, else (beyond the surface) of the ground plane.
-  double height_at(double x, double y) const;
-  /// Joined columns within 0.3 m of (x, y).
-  int support(double x, double y) const;
+  struct Place {
+    bool carried = false;
+    int support = 0;      ///< Joined columns within 0.3 m.
+    double height = 0.0;  ///< Metres, map frame.
+  };
+  /// The ground at (x, y), map frame. Its height is that of the column's plane where it is carried, else of the nearest
+  /// carried column's ground, else (beyond the surface) of the ground plane.
+  Place at(double x, double y) const;
+  bool carried(double x, double y) const { return at(x, y).carried; }
+  /// Whether anything in the rectangle is carried.
+  bool carries_within(double x0, double y0, double x1, double y1) const;
+  double height_at(double x, double y) const { return at(x, y).height; }
   const GroundPlane& plane() const { return plane_; }
   double area_m2() const;  ///< Of the joined columns.
 
@@ -61,7 +66,7 @@ class GroundSurface {
   };
 
   void sort_points(const MapPoints& points);
-  bool join(std::size_t column, std::int32_t expected);
+  bool join(std::size_t which, std::int32_t expected);
   void grow(std::vector<std::size_t> front);
   void start_around_robot();
   void cross_gaps();
@@ -69,9 +74,7 @@ class GroundSurface {
   void fill_outwards();
   std::int32_t mean(std::size_t column) const { return columns_[column].u_sum / columns_[column].count; }
   bool inside(int cx, int cy) const { return cx >= 0 && cy >= 0 && cx < side_ && cy < side_; }
-  std::size_t at(int cx, int cy) const { return static_cast<std::size_t>(cy) * side_ + cx; }
-  /// The column that (x, y) lies in, or null.
-  const Column* column_of(double x, double y, double& from_centre_x, double& from_centre_y) const;
+  std::size_t index(int cx, int cy) const { return static_cast<std::size_t>(cy) * side_ + cx; }
 
   GroundPlane plane_;
   GroundSurfaceConfig config_;
