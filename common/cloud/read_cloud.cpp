@@ -69,6 +69,13 @@ std::string CloudNotes::sentence() const {
   return text;
 }
 
+PointCloud read_scan(const std::string& path, CloudNotes* notes) {
+  PointCloud cloud = read_cloud(path, notes);
+  if (cloud.size() >= kMinScanPoints) return cloud;
+  throw InputError(printable(path) + ": a scan of only " + std::to_string(cloud.size()) +
+                   (cloud.size() == 1 ? " point" : " points") + "; record it again, or leave it out");
+}
+
 PointCloud read_cloud(const std::string& path, CloudNotes* notes) {
   return parse_cloud(read_file_decompressed(path), path, notes);
 }

@@ -29,7 +29,12 @@ struct CloudNotes {
 /// names the place, for a file that is damaged or holds no point. Memory stays a small multiple of the file's size.
 PointCloud read_cloud(const std::string& path, CloudNotes* notes = nullptr);
 
-/// The same from the bytes of such a file, not compressed; `path` stands for it.
+/// The same for a file that shall be a scan. Throws InputError for fewer than kMinScanPoints points too: they span no
+/// surface, so there is nothing to register.
+PointCloud read_scan(const std::string& path, CloudNotes* notes = nullptr);
+constexpr std::size_t kMinScanPoints = 3;
+
+/// What read_cloud() gives, from the bytes of such a file, not compressed; `path` stands for it.
 PointCloud parse_cloud(std::string_view bytes, const std::string& path, CloudNotes* notes = nullptr);
 
 /// The name of the scan in a file: without folder, `.zst` and the ends named above ("a/scan000.3d.zst": "scan000").

@@ -100,7 +100,7 @@ Sweep read_sweep(const std::string& file, const std::string& name, Utime utime, 
   Sweep sweep;
   sweep.name = name;
   sweep.utime = utime;
-  sweep.cloud = read_cloud(file, &notes);
+  sweep.cloud = read_scan(file, &notes);
   sweep.sensor_height_m = options.sensor_height_m;
   const std::size_t near = drop_near_points(sweep.cloud, robot.laser.min_range_m);
   if (sweep.cloud.empty()) {

@@ -69,7 +69,7 @@ int run_register(const RegisterOptions& options) {
   const Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   StageTimer timer;
   timer.begin("read");
-  const PointCloud source_cloud = read_cloud(options.source), target_cloud = read_cloud(options.target);
+  const PointCloud source_cloud = read_scan(options.source), target_cloud = read_scan(options.target);
   const PreparedScan source = PreparedScan::make(source_cloud, origin, config, &timer);
   const PreparedScan target = PreparedScan::make(target_cloud, origin, config, &timer);
   const RegistrationResult result = register_scans(source, target, prior, config, &timer);
