@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 #include "common/math/repeatable.h"
 #include "common/parallel/blocks.h"
@@ -87,6 +88,19 @@ Compatibility build(const std::vector<Oriented>& matches, const PairTest& compat
     }
   });
   return matrix;
+}
+
+/// The matches with most compatible others: where poses are fitted from. In rising order.
+std::vector<std::uint32_t> choose_seeds(const Compatibility& matrix, std::size_t count) {
+  std::vector<std::pair<std::size_t, std::uint32_t>> rank;
+  for (std::uint32_t i = 0; i < matrix.size(); ++i) rank.emplace_back(matrix.size() - matrix.common(i, i), i);
+  std::sort(rank.begin(), rank.end());
+  std::vector<std::uint32_t> seeds;
+  for (const auto& [rest, i] : rank) {
+    if (seeds.size() < count) seeds.push_back(i);
+  }
+  std::sort(seeds.begin(), seeds.end());
+  return seeds;
 }
 
 struct Neighbour {
@@ -189,11 +203,12 @@ std::vector<Hypothesis> find_hypotheses(const Keypoints& source, const Keypoints
   const std::vector<Oriented> oriented = orient(source, target, used, bounds);
   const Compatibility matrix = build(oriented, make_test(bounds, options));
   const PoseFit fit(oriented, options.tolerance_m);
-  std::vector<Hypothesis> all(oriented.size());
-  for_blocks(oriented.size(), 16, [&](std::size_t begin, std::size_t end, std::size_t) {
-    for (std::size_t seed = begin; seed < end; ++seed) {
-      const std::vector<Neighbour> group = group_of(seed, matrix);
-      if (group.size() + 1 >= kMinVotes) all[seed] = fit.fit(seed, group);
+  const std::vector<std::uint32_t> seeds = choose_seeds(matrix, options.max_seeds);
+  std::vector<Hypothesis> all(seeds.size());
+  for_blocks(seeds.size(), 16, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::vector<Neighbour> group = group_of(seeds[i], matrix);
+      if (group.size() + 1 >= kMinVotes) all[i] = fit.fit(seeds[i], group);
     }
   });
   Pose prior = Pose::Identity();

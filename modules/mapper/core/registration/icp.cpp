@@ -17,13 +17,15 @@ constexpr double kConvergedRotation = 2e-5, kConvergedTranslation = 1e-4;
 constexpr std::size_t kMinCorrespondences = 12;
 
 struct Sums {
-  Matrix6 A = Matrix6::Zero();
+  Matrix6 A = Matrix6::Zero(), plain = Matrix6::Zero();
   Vector6 b = Vector6::Zero();
-  double weight = 0.0, squares = 0.0, lever = 0.0;
+  double weight = 0.0, plain_weight = 0.0, squares = 0.0, lever = 0.0;
   std::size_t count = 0;
 
   Sums& operator+=(const Sums& other) {
     A += other.A;
+    plain += other.plain;
+    plain_weight += other.plain_weight;
     b += other.b;
     weight += other.weight;
     squares += other.squares;
@@ -60,10 +62,13 @@ struct Linearisation {
     const double residual = both.dot(point - target.surfaces.centre[j]);
     const double scale = static_cast<double>(round.kernel_m) * round.kernel_m;
     const double root = scale / (scale + residual * residual);
-    const double weight = source.weight[i] * root * root;
+    const double plain = root * root, weight = source.weight[i] * plain;
     Vector6 J;
     J << lever.cross(both).cast<double>(), both.cast<double>();
-    sums.A += weight * J * J.transpose();
+    const Matrix6 outer = J * J.transpose();
+    sums.A += weight * outer;
+    sums.plain += plain * outer;
+    sums.plain_weight += plain;
     sums.b -= weight * residual * J;
     sums.weight += weight;
     sums.squares += weight * residual * residual;
@@ -89,6 +94,8 @@ Vector6 solve(const Sums& sums) {
 void record(const Sums& sums, IcpResult& result) {
   result.information = sums.A;
   result.weight = sums.weight;
+  result.plain_information = sums.plain;
+  result.plain_weight = sums.plain_weight;
   result.inliers = sums.count;
   result.rmse_m = sums.weight > 0.0 ? std::sqrt(sums.squares / sums.weight) : 0.0;
   result.lever_m = sums.weight > 0.0 ? std::sqrt(sums.lever / sums.weight) : 1.0;

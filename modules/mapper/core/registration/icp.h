@@ -30,6 +30,10 @@ struct IcpResult {
   /// of the source in the target's frame, rotation about the source's sensor; its weights sum to `weight`.
   Matrix6 information = Matrix6::Zero();
   double weight = 0.0;
+  /// The same without the balance of directions: rare directions are noise as often as structure, and must not pass for
+  /// knowledge of where the scene holds the pose.
+  Matrix6 plain_information = Matrix6::Zero();
+  double plain_weight = 0.0;
   double rmse_m = 0.0;        ///< Of the point-to-plane distances, weighted.
   double lever_m = 1.0;       ///< Root mean square distance of the inliers from the source's sensor.
   std::size_t inliers = 0;    ///< Correspondences of the last iteration.

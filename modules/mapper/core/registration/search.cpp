@@ -48,7 +48,7 @@ std::vector<Candidate> find_candidates(const PreparedScan::Data& source, const P
   const std::vector<Match> matches = match_keypoints(source.keypoints, target.keypoints, R, mutual);
   begin_stage(stages, "hypotheses");
   ConsensusOptions options;
-  if (!mutual) options.max_matches = 4000, options.max_hypotheses = 48;
+  if (!mutual) options.max_matches = 3000, options.max_hypotheses = 32;
   const std::vector<Hypothesis> hypotheses =
       find_hypotheses(source.keypoints, target.keypoints, matches, bounds, options);
   begin_stage(stages, "checks");

@@ -26,7 +26,7 @@ double probability_right(const Evidence& evidence);
 
 /// Which motions the matched surfaces leave open.
 struct Observability {
-  double weakest = 0.0;  ///< Smallest share of the information, over translations and (at the mean lever) rotations.
+  double weakest = 0.0;  ///< Smallest share of the information over the directions of translation; 1/3 at best.
   std::vector<std::string> open_directions;
 };
 Observability observe(const IcpResult& icp);

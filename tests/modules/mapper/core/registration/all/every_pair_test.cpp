@@ -1,0 +1,89 @@
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "tests/bench/registration/real_pairs.h"
+
+namespace scanway {
+namespace {
+
+using namespace bench;
+
+const std::string kData = SCANWAY_SHARED_DIR "/data";
+
+enum class Prior { tracker, turned, none };
+
+struct Count {
+  int required = 0, right = 0, wrong = 0;
+};
+
+std::optional<OrientationPrior> make_prior(Prior kind, const Pose& truth, Random& random) {
+  if (kind == Prior::none) return std::nullopt;
+  return kind == Prior::turned ? turned_prior(truth, 5.0, random) : disturbed_prior(truth, 5.0, 0.5, random);
+}
+
+/// Two scans of the corridor whose reference the set's README calls unfit for strict checks.
+bool loose_reference(const RealSet& set, std::size_t source, std::size_t target) {
+  return set.name == "corridor_tilting_sick_3dtk" && source == 2 && target == 0;
+}
+
+class EveryPair : public testing::TestWithParam<std::string> {
+ protected:
+  Count count(Prior kind, int seeds) {
+    const RealSet set = load_set(kData, GetParam());
+    std::vector<PreparedScan> scans;
+    for (const PointCloud& cloud : set.clouds) scans.push_back(PreparedScan::make(cloud, Eigen::Vector3d::Zero(), {}));
+    Count count;
+    for (std::size_t target = 0; target < scans.size(); ++target) {
+      for (std::size_t source = 0; source < scans.size(); ++source) {
+        if (source == target || loose_reference(set, std::max(source, target), std::min(source, target))) continue;
+        const Pose truth = set.T_target_source(source, target);
+        const bool required = true_overlap(set.clouds[source], set.clouds[target], truth) >= 0.3;
+        for (int seed = 1; seed <= seeds; ++seed) {
+          Random random(static_cast<std::uint64_t>(seed) * 1000 + source * 30 + target);
+          const auto result = register_scans(scans[source], scans[target], make_prior(kind, truth, random), {});
+          const PoseError error = error_of(result.T_target_source, truth);
+          const bool accepted = result.verdict == Verdict::accepted;
+          const bool right = accepted && error.metres < set.right_m && error.radians < set.right_angle;
+          count.required += required;
+          count.right += required && right;
+          count.wrong += accepted && !right;
+          if ((required && !right) || (accepted && !right)) {
+            std::printf("%s to %s, seed %d: %.3f m %.3f rad p=%.3f %s\n", set.scans[source].c_str(),
+                        set.scans[target].c_str(), seed, error.metres, error.radians, result.probability,
+                        result.reason.c_str());
+          }
+        }
+      }
+    }
+    return count;
+  }
+
+  void SetUp() override {
+    if (!std::filesystem::exists(kData)) GTEST_SKIP() << kData << " is not there: no real scans to register";
+  }
+};
+
+TEST_P(EveryPair, WithTheTrackerIsRightOrRefused) {
+  const Count all = count(Prior::tracker, 5);
+  EXPECT_EQ(all.wrong, 0);
+  EXPECT_EQ(all.right, all.required);
+}
+
+TEST_P(EveryPair, FiveDegreesAboutAnyAxisIsRightOrRefused) {
+  const Count all = count(Prior::turned, 2);
+  EXPECT_EQ(all.wrong, 0);
+  EXPECT_EQ(all.right, all.required);
+}
+
+TEST_P(EveryPair, WithoutOrientationNineInTenAreRightAndTheRestRefused) {
+  const Count all = count(Prior::none, 1);
+  EXPECT_EQ(all.wrong, 0);
+  EXPECT_GE(10 * all.right, 9 * all.required);
+}
+
+INSTANTIATE_TEST_SUITE_P(RealSets, EveryPair, testing::ValuesIn(real_set_names()),
+                         [](const auto& info) { return info.param; });
+
+}  // namespace
+}  // namespace scanway
