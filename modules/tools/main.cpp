@@ -33,7 +33,7 @@ using Action = std::function<int()>;
 
 void log_to_stderr() {
   auto logger = spdlog::stderr_color_st("scanway");
-  logger->set_pattern("%^%l%$: %v");
+  logger->set_pattern("scanway: %v");
   spdlog::set_default_logger(logger);
 }
 

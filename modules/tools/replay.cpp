@@ -18,22 +18,21 @@ namespace {
 
 constexpr int kLogWasDamaged = 1;
 
-Robot robot_for(const ReplayOptions& options) {
+/// The robot file that the user names, else the log's own configuration; nothing if there is neither.
+std::optional<Robot> chosen_robot(const ReplayOptions& options) {
   if (!options.robot.empty()) return load_robot(options.robot);
-  if (const auto robot = robot_of_log(options.log)) return *robot;
-  spdlog::warn("{}: holds no configuration (PARAMS); taking the built-in ERA-Mobi", printable(options.log));
-  return Robot{};
+  return robot_of_log(options.log);
 }
 
 }  // namespace
 
 int run_replay(const ReplayOptions& options) {
   LogReader log(options.log);
-  const Robot robot = robot_for(options);
+  const std::optional<Robot> robot = chosen_robot(options);
   const ProductFolder folder(options.output);
 
   LogWriter recording(folder.path_of("out.lcmlog"));
-  Replay replay(robot, recording);
+  Replay replay(robot.value_or(Robot{}), recording);
   {
     ProgressBar bar("replaying " + printable(options.log));
     replay.run(log, [&bar](double share) { bar.show(share); });
@@ -46,9 +45,12 @@ int run_replay(const ReplayOptions& options) {
   report.digests = write_products(replay.mapper(), replay.planner(), folder);
   folder.write("report.json", report_json(report));
   std::fputs(report_table(report).c_str(), stdout);
-  if (report.trouble.empty()) return 0;
-  spdlog::error("{}: {}", printable(options.log), printable(report.trouble));
-  return kLogWasDamaged;
+  if (!report.trouble.empty()) {
+    spdlog::error("{}: {}", printable(options.log), printable(report.trouble));
+    return kLogWasDamaged;
+  }
+  if (!robot) spdlog::warn("{}: holds no configuration (PARAMS); took the built-in ERA-Mobi", printable(options.log));
+  return 0;
 }
 
 }  // namespace scanway::tools
