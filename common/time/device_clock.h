@@ -11,6 +11,8 @@ namespace scanway {
 struct DeviceClockModel {
   std::int64_t tick_us = 1;
   std::int64_t wrap_ticks = std::int64_t{1} << 32;  ///< The counter goes from wrap_ticks - 1 to 0.
+
+  bool operator==(const DeviceClockModel&) const = default;
 };
 
 /// Maps a device's clock to the host's, live, from pairs of a device time and the host time at which it was heard of.
