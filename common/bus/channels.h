@@ -27,6 +27,9 @@ inline constexpr Channel kCostMapTile{"COST_MAP_TILE", "scanway.cost_tile_t", tr
 inline constexpr Channel kCostMapIndex{"COST_MAP_INDEX", "scanway.cost_map_index_t", true};
 inline constexpr Channel kGoal{"GOAL", "scanway.goal_t", false};
 inline constexpr Channel kPath{"PATH", "scanway.path_t", true};
+inline constexpr Channel kMapState{"MAP_STATE", "scanway.map_state_t", false};
+inline constexpr Channel kObjectIndex{"OBJECT_INDEX", "scanway.object_index_t", false};
+inline constexpr Channel kPieceRequest{"PIECE_REQUEST", "scanway.piece_request_t", false};
 inline constexpr Channel kHealth{"HEALTH", "scanway.health_t", false};
 inline constexpr Channel kTiming{"TIMING", "scanway.timing_t", false};
 

@@ -36,7 +36,7 @@ bool is_pure(const std::string& path) {
 }
 
 bool is_lcm(const std::string& include) {
-  static const std::regex kLcm("^<?(lcm/|lcmtypes/|scanway/|bot_core/|common/(bus|messages|health)/)|_t\\.hpp>?$");
+  static const std::regex kLcm("^<?(lcm/|lcmtypes/|scanway/|bot_core/|common/(bus|messages|delivery|health|process)/)|_t\\.hpp>?$");
   return regex_search(include, kLcm);
 }
 
@@ -61,7 +61,7 @@ bool module_may_include(const std::string& path, const std::string& include) {
 }
 
 bool common_may_include(const std::string& path, const std::string& include) {
-  static const std::set<std::string> kKnowMessages = {"bus", "messages", "health"};
+  static const std::set<std::string> kKnowMessages = {"bus", "messages", "delivery", "health", "process"};
   return !include.starts_with("modules/") && (!is_lcm(include) || kKnowMessages.contains(common_folder_of(path)));
 }
 
