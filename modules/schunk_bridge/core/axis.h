@@ -93,6 +93,7 @@ class Axis {
   void take(const Message& message, Utime now);
   void take_alert(const Message& message, const reply::Alert& alert, Utime now);
   void take_state(const reply::State& state, Utime utime, Utime now);
+  void take_standing(double position, Utime utime, Utime now);
   void take_answer(const Asked& asked, const Reply& reply, Utime now);
   void take_setting(const reply::SettingValue& value);
   void take_units(const reply::SettingValue& value, Utime now);

@@ -38,7 +38,7 @@ void Axis::take(const Message& message, Utime now) {
   if (const auto* state = std::get_if<reply::State>(&reply)) {
     if (phase_ == Phase::setting_up || phase_ == Phase::ready) take_state(*state, message.utime, now);
   } else if (const auto* standing = std::get_if<reply::Standing>(&reply)) {
-    if (phase_ == Phase::ready) report_motion(motion_.announce_stand(to_radians(standing->position)), now);
+    if (phase_ == Phase::ready) take_standing(to_radians(standing->position), message.utime, now);
   } else if (asked) {
     take_answer(*asked, reply, now);
   }
@@ -92,6 +92,15 @@ void Axis::take_state(const reply::State& state, Utime utime, Utime now) {
   }
   if ((state.bits & state_bit::kWarning) == 0) warning_ = 0;
   report_motion(motion_.observe(next.position, state.bits, now), now);
+}
+
+void Axis::take_standing(double position, Utime utime, Utime now) {
+  // As good as a state, and newer than the last one.
+  state_->utime = utime;
+  state_->position = position;
+  if (state_->velocity) state_->velocity = 0.0;
+  state_->bits &= static_cast<std::uint8_t>(~state_bit::kMoving);
+  report_motion(motion_.announce_stand(position), now);
 }
 
 void Axis::take_answer(const Asked& asked, const Reply& reply, Utime now) {

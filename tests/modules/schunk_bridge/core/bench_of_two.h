@@ -46,7 +46,8 @@ struct BenchOfTwo {
   bool get_ready() {
     return run_until(
         [&] {
-          return bridge.pan().phase() == schunk::Axis::Phase::ready && bridge.tilt().phase() == schunk::Axis::Phase::ready;
+          return bridge.pan().phase() == schunk::Axis::Phase::ready &&
+                 bridge.tilt().phase() == schunk::Axis::Phase::ready;
         },
         5);
   }

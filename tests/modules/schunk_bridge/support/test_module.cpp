@@ -94,11 +94,20 @@ std::vector<TestFrame> TestModule::config(const std::vector<std::uint8_t>& messa
   }
   std::vector<std::uint8_t> reply = {0x80, message[1]};
   switch (message[1]) {
-    case 0x06: reply.push_back(units_); break;
-    case 0x07: put_number(reply, 400); break;
-    case 0x08: put_number(reply, -400); break;
-    case 0x09: put_number(reply, 120); break;
-    default: return send(0x700, {0x80, 0x1E});
+    case 0x06:
+      reply.push_back(units_);
+      break;
+    case 0x07:
+      put_number(reply, 400);
+      break;
+    case 0x08:
+      put_number(reply, -400);
+      break;
+    case 0x09:
+      put_number(reply, 120);
+      break;
+    default:
+      return send(0x700, {0x80, 0x1E});
   }
   return send(0x700, reply);
 }
@@ -110,8 +119,11 @@ std::vector<TestFrame> TestModule::answer(const std::vector<std::uint8_t>& messa
   const bool moves = command == 0x92 || command == 0xB0 || command == 0xB5;
   if (moves && (error_ != 0 || refuses_moves)) return send(0x700, {command, 0x05});
   switch (command) {
-    case 0x80: return config(message);
-    case 0xA0: target_speed_ = get_number(message, 1); return send(0x700, ok);
+    case 0x80:
+      return config(message);
+    case 0xA0:
+      target_speed_ = get_number(message, 1);
+      return send(0x700, ok);
     case 0x95: {
       if (message.size() == 6) {
         std::vector<std::uint8_t> raw(message.begin() + 1, message.begin() + 5);
@@ -163,7 +175,8 @@ std::vector<TestFrame> TestModule::answer(const std::vector<std::uint8_t>& messa
       join(frames, send(0x700, {0x8A, 0x08, 0x00}));
       return frames;
     }
-    default: return send(0x700, {command, 0x04});
+    default:
+      return send(0x700, {command, 0x04});
   }
 }
 

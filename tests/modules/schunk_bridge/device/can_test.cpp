@@ -1,0 +1,316 @@
+// The bridge's device against two test modules over a real vcan0.
+
+#include <linux/can.h>
+#include <linux/can/raw.h>
+#include <linux/sockios.h>
+#include <net/if.h>
+#include <poll.h>
+#include <sys/ioctl.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <cstdlib>
+#include <mutex>
+#include <thread>
+
+#include "common/files/input_error.h"
+#include "modules/schunk_bridge/device/pan_tilt_driver.h"
+#include "tests/modules/schunk_bridge/support/test_module.h"
+#include "tests/support/command.h"
+
+namespace scanway {
+namespace {
+
+using schunk::Axis;
+using schunk::Event;
+using schunk::PanTiltDriver;
+using test::TestFrame;
+using test::TestModule;
+
+/// A plain CAN socket on vcan0 that has nothing of the bridge's.
+class PlainSocket {
+ public:
+  PlainSocket() : socket_(socket(PF_CAN, SOCK_RAW | SOCK_NONBLOCK, CAN_RAW)) {
+    sockaddr_can address{};
+    address.can_family = AF_CAN;
+    address.can_ifindex = static_cast<int>(if_nametoindex("vcan0"));
+    if (socket_ >= 0) bound_ = bind(socket_, reinterpret_cast<sockaddr*>(&address), sizeof address) == 0;
+    last_time();  // From the first time that it is asked, the kernel keeps times.
+  }
+  ~PlainSocket() {
+    if (socket_ >= 0) close(socket_);
+  }
+  PlainSocket(const PlainSocket&) = delete;
+  PlainSocket& operator=(const PlainSocket&) = delete;
+
+  bool usable() const { return bound_ && if_nametoindex("vcan0") != 0; }
+
+  bool receive(TestFrame& frame, int timeout_ms) {
+    pollfd waiting{socket_, POLLIN, 0};
+    can_frame raw{};
+    if (poll(&waiting, 1, timeout_ms) <= 0 || read(socket_, &raw, sizeof raw) != sizeof raw) return false;
+    frame = {static_cast<std::uint16_t>(raw.can_id & CAN_SFF_MASK), {raw.data, raw.data + raw.len}};
+    return true;
+  }
+
+  /// When the kernel got the frame that was received last.
+  Utime last_time() const {
+    timeval time{};
+    ioctl(socket_, SIOCGSTAMP, &time);
+    return time.tv_sec * kMicrosecondsPerSecond + time.tv_usec;
+  }
+
+  void send(const TestFrame& frame) {
+    can_frame raw{};
+    raw.can_id = frame.id;
+    raw.len = static_cast<std::uint8_t>(frame.bytes.size());
+    std::copy(frame.bytes.begin(), frame.bytes.end(), raw.data);
+    while (write(socket_, &raw, sizeof raw) < 0 && errno == ENOBUFS) usleep(200);
+  }
+
+ private:
+  int socket_;
+  bool bound_ = false;
+};
+
+/// Two modules that live on vcan0 in a thread of their own.
+class Responder {
+ public:
+  Responder() : thread_([this] { live(); }) {}
+  ~Responder() {
+    end_ = true;
+    thread_.join();
+  }
+  /// Looks at or changes the modules between two of their steps.
+  template <class Touch>
+  auto with(const Touch& touch) {
+    const std::lock_guard lock(mutex_);
+    return touch(pan_, tilt_);
+  }
+
+ private:
+  void live() {
+    TestFrame frame;
+    while (!end_) {
+      const bool came = socket_.receive(frame, 1);
+      const std::lock_guard lock(mutex_);
+      for (TestModule* module : {&pan_, &tilt_}) {
+        const Utime now = PanTiltDriver::now();
+        if (came) answer(module->handle(frame, now));
+        answer(module->run(now));
+      }
+    }
+  }
+  void answer(const std::vector<TestFrame>& frames) {
+    for (const TestFrame& frame : frames) socket_.send(frame);
+  }
+
+  PlainSocket socket_;
+  std::mutex mutex_;
+  TestModule pan_{11, TestModule::kDegrees, true}, tilt_{12, TestModule::kDegrees, true};
+  std::atomic<bool> end_{false};
+  std::thread thread_;
+};
+
+/// Another program for a while.
+class Program {
+ public:
+  Program(const std::vector<std::string>& words, const std::string& out) {
+    child_ = fork();
+    if (child_ != 0) return;
+    std::vector<char*> pointers;
+    for (const std::string& word : words) pointers.push_back(const_cast<char*>(word.c_str()));
+    pointers.push_back(nullptr);
+    if (freopen(out.c_str(), "w", stdout) == nullptr) _exit(126);
+    execvp(pointers[0], pointers.data());
+    _exit(127);
+  }
+  void end() {
+    kill(child_, SIGTERM);
+    waitpid(child_, nullptr, 0);
+  }
+
+ private:
+  pid_t child_;
+};
+
+class Can : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (PlainSocket().usable()) return;
+    if (std::getenv("REQUIRE_CAN") != nullptr) FAIL() << "CAN was promised (REQUIRE_CAN), and there is no vcan0";
+    GTEST_SKIP() << "no vcan0 on this machine";
+  }
+
+  /// Steps until `done`, and keeps what happens.
+  template <class Done>
+  bool run_until(const Done& done, double limit_s = 30) {
+    for (const Utime end = PanTiltDriver::now() + static_cast<Utime>(limit_s * 1e6); PanTiltDriver::now() < end;) {
+      driver.step(5);
+      for (auto& event : driver.core().take_events()) events.push_back(std::move(event));
+      for (auto& line : driver.take_troubles()) troubles.push_back(std::move(line));
+      if (done()) return true;
+    }
+    return false;
+  }
+  bool get_ready() {
+    return run_until([&] {
+      return driver.core().pan().phase() == Axis::Phase::ready && driver.core().tilt().phase() == Axis::Phase::ready;
+    });
+  }
+  const Event* find(Event::Kind kind) const {
+    const auto found =
+        std::find_if(events.begin(), events.end(), [&](const Event& event) { return event.kind == kind; });
+    return found == events.end() ? nullptr : &*found;
+  }
+  bool in_trouble(const std::string& words) const {
+    return std::any_of(troubles.begin(), troubles.end(),
+                       [&](const std::string& line) { return line.find(words) != std::string::npos; });
+  }
+
+  static schunk::PanTiltConfig fast() {
+    schunk::PanTiltConfig config;
+    config.sweep.speed = config.sweep.travel_speed = radians(119);
+    return config;
+  }
+
+  PanTiltDriver driver{"vcan0", fast()};
+  std::vector<Event> events;
+  std::vector<std::string> troubles;
+};
+
+TEST_F(Can, AWholeSweepThatCandumpSees) {
+  const test::ScratchFolder scratch;
+  Program candump({"candump", "-L", "vcan0"}, scratch / "log");
+  Responder responder;
+  ASSERT_TRUE(get_ready());
+  ASSERT_EQ(driver.core().start_sweep(PanTiltDriver::now()), "");
+  ASSERT_TRUE(run_until([&] { return find(Event::Kind::sweep_done) != nullptr; }, 60));
+  candump.end();
+  const Event* start = find(Event::Kind::sweep_started);
+  const Event* end = find(Event::Kind::sweep_ended);
+  ASSERT_TRUE(start && end);
+  EXPECT_NEAR(start->position, radians(-180), radians(0.3));
+  EXPECT_NEAR(end->position, radians(180), radians(0.3));
+  EXPECT_NEAR(driver.core().pan().state()->position, radians(-180), radians(0.3));
+  EXPECT_EQ(driver.core().pan().counters().bad_frames, 0u);
+  const std::string log = test::read_text(scratch / "log");
+  EXPECT_NE(log.find("50B#05B000003443"), std::string::npos);  // MOVE POS 180.
+  EXPECT_NE(log.find("70B#0B8495"), std::string::npos);        // A fragmented state.
+}
+
+TEST_F(Can, CansendSteersIt) {
+  Responder responder;
+  ASSERT_TRUE(get_ready());
+  ASSERT_EQ(driver.core().move_pan(radians(350), radians(20), PanTiltDriver::now()), "");
+  ASSERT_TRUE(run_until([&] { return find(Event::Kind::started) != nullptr; }));
+  ASSERT_EQ(test::run_command({"cansend", "vcan0", "50B#0191"}).status, 0);
+  EXPECT_TRUE(run_until([&] { return find(Event::Kind::blocked) != nullptr; }));
+  ASSERT_EQ(test::run_command({"cansend", "vcan0", "30C#0288DA"}).status, 0);
+  ASSERT_TRUE(run_until([&] { return find(Event::Kind::error) != nullptr; }));
+  EXPECT_NE(find(Event::Kind::error)->text.find("DA TOW"), std::string::npos);
+}
+
+TEST_F(Can, AStopIsOnTheWireWithin20Milliseconds) {
+  Responder responder;
+  ASSERT_TRUE(get_ready());
+  std::vector<Utime> delays;
+  for (int i = 0; i < 15; ++i) {
+    driver.core().move_pan(radians(i % 2 ? -100 : 100), radians(20), PanTiltDriver::now());
+    run_until([&] { return driver.core().pan().motion().accepted(); }, 2);
+    PlainSocket listener;
+    std::atomic<Utime> asked{0};
+    // The command comes at any moment of the loop's turn, from elsewhere.
+    std::thread commander([&] {
+      usleep(static_cast<useconds_t>(20'000 + 1'700 * i));
+      asked = PanTiltDriver::now();
+    });
+    while (asked == 0) driver.step(5);
+    driver.core().stop(PanTiltDriver::now());
+    for (int turn = 0; turn < 4; ++turn) driver.step(5);  // A frame an axis, a millisecond apart.
+    commander.join();
+    TestFrame frame;
+    Utime seen = 0;
+    while (seen == 0 && PanTiltDriver::now() - asked < 2'000'000 && listener.receive(frame, 100)) {
+      if (frame.id == 0x50B && frame.bytes == std::vector<std::uint8_t>{0x01, 0x91}) seen = listener.last_time();
+    }
+    ASSERT_NE(seen, 0);
+    delays.push_back(seen - asked);
+    run_until([&] { return !responder.with([](const TestModule& pan, auto&) { return pan.moving(); }); }, 2);
+    EXPECT_FALSE(responder.with([](const TestModule& pan, auto&) { return pan.moving(); }));
+  }
+  // The median: the guest kernel itself may sleep on any one of them.
+  std::nth_element(delays.begin(), delays.begin() + 7, delays.end());
+  EXPECT_LE(delays[7], 20'000);
+  std::printf("stop on the wire: median %.2f ms\n", static_cast<double>(delays[7]) / 1000);
+}
+
+TEST_F(Can, ComesBackWhenTheInterfaceDoes) {
+  Responder responder;
+  ASSERT_TRUE(get_ready());
+  ASSERT_EQ(test::run_command({"ip", "link", "set", "vcan0", "down"}).status, 0);
+  const bool said = run_until([&] { return in_trouble("the CAN interface is down: sudo ip link set vcan0 up"); }, 5);
+  const bool lost = run_until([&] { return find(Event::Kind::lost) != nullptr; }, 5);
+  ASSERT_EQ(test::run_command({"ip", "link", "set", "vcan0", "up"}).status, 0);
+  EXPECT_TRUE(said);
+  EXPECT_TRUE(lost);
+  EXPECT_TRUE(get_ready());
+  EXPECT_TRUE(in_trouble("there again"));
+  EXPECT_EQ(troubles.size(), 2u);  // One line each.
+}
+
+TEST_F(Can, ModulesMayRestartOrStartLate) {
+  EXPECT_TRUE(run_until([&] { return find(Event::Kind::lost) != nullptr; }, 5));
+  Responder responder;
+  ASSERT_TRUE(get_ready());
+  responder.with([](TestModule& pan, TestModule&) { pan.reboot(PanTiltDriver::now()); });
+  events.clear();
+  ASSERT_TRUE(run_until([&] { return find(Event::Kind::found) != nullptr; }, 10));
+  EXPECT_EQ(driver.core().tilt().phase(), Axis::Phase::ready);
+}
+
+TEST_F(Can, SaysWhatTheBusReports) {
+  Responder responder;
+  ASSERT_TRUE(get_ready());
+  ASSERT_EQ(test::run_command({"cansend", "vcan0", "20000040#0000000000000000"}).status, 0);
+  EXPECT_TRUE(run_until([&] { return in_trouble("bus off"); }, 5));
+}
+
+TEST_F(Can, NamesWhatIsWrongWithAnInterface) {
+  const auto words = [](const std::string& interface) {
+    try {
+      schunk::CanSocket socket(interface, {});
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(words("vcan0"), "");
+  EXPECT_NE(words("can9").find("no such CAN interface"), std::string::npos);
+  EXPECT_NE(words("lo").find("no CAN interface"), std::string::npos);
+  EXPECT_NE(words("").find("no name"), std::string::npos);
+  EXPECT_NE(words("a-name-that-is-too-long").find("no name"), std::string::npos);
+}
+
+TEST_F(Can, ProbeSaysWhatIsThere) {
+  {
+    Responder responder;
+    const auto lines = schunk::probe("vcan0", {});
+    ASSERT_EQ(lines.size(), 2u);
+    EXPECT_NE(lines[0].find("PW-70"), std::string::npos);
+    schunk::PanTiltConfig config;
+    config.tilt.module = 13;
+    const auto others = schunk::probe("vcan0", config);
+    EXPECT_NE(others.back().find("ids answer: 11, 12"), std::string::npos);
+  }
+  EXPECT_NE(schunk::probe("vcan0", {}).back().find("no module answers"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace scanway
