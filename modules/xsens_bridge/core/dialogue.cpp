@@ -163,6 +163,8 @@ void Dialogue::handle_answer(const Message& message, Utime now) {
   const bool no_such_message = refused && !message.data.empty() && message.data[0] == kNotImplemented;
   const bool tells_generation = no_such_message && step.answer == kOutputConfiguration && step.request.size() == 5;
   if (!refused && message.mid != step.answer) return;
+  // An error at this point belongs to something earlier: every tracker knows GoToConfig, which is asked again.
+  if (refused && step.request == make_frame(kGoToConfig)) return;
   std::string trouble;
   try {
     if (refused && !tells_generation) {

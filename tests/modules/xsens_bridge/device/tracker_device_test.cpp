@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <stdlib.h>
+#include <termios.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -22,6 +23,10 @@ class TerminalTracker {
     if (grantpt(master_.get()) != 0 || unlockpt(master_.get()) != 0) ADD_FAILURE() << "no pseudo-terminal";
     // Held open, so that the tracker's end outlives the bridge's openings.
     held_ = FileDescriptor(open(path().c_str(), O_RDWR | O_NOCTTY));
+    termios raw{};
+    tcgetattr(held_.get(), &raw);
+    cfmakeraw(&raw);  // A new terminal echoes; a serial line does not.
+    tcsetattr(held_.get(), TCSANOW, &raw);
   }
 
   std::string path() const { return ptsname(master_.get()); }
@@ -62,7 +67,8 @@ TEST(TrackerDevice, MeasuresOverATerminal) {
     TerminalTracker tracker(legacy);
     xsens::TrackerDevice device({tracker.path(), 0}, {});
     const auto news = run(device, tracker, [](const auto& all) { return all.readings.size() >= 50; });
-    EXPECT_GE(news.readings.size(), 50U);
+    for (const auto& note : news.notes) ADD_FAILURE() << note;
+    ASSERT_GE(news.readings.size(), 50U) << (device.dialogue() ? device.dialogue()->failure() : "closed");
     EXPECT_TRUE(device.measuring());
     EXPECT_EQ(device.baud(), 115200);
     EXPECT_EQ(device.dialogue()->info().legacy, legacy);
