@@ -13,6 +13,7 @@ namespace {
 constexpr std::size_t kBlock = 512;
 constexpr float kMinNormalCosine = 0.8f;
 constexpr float kReachInCells = 1.5f;  // the next piece of the same surface is one cell away, or a gap between beams
+constexpr float kKernelDeviations = 3.0f, kMinKernel = 0.03f;
 constexpr double kConvergedRotation = 2e-5, kConvergedTranslation = 1e-4;
 constexpr std::size_t kMinCorrespondences = 12;
 
@@ -107,7 +108,10 @@ IcpResult run_icp(const Surfaces& source, const IcpTarget& target, const Pose& T
                   std::span<const IcpRound> rounds) {
   IcpResult result;
   result.T_target_source = T_target_source;
-  for (const IcpRound& round : rounds) {
+  for (IcpRound round : rounds) {
+    if (round.tighten) {
+      round.kernel_m = std::clamp(kKernelDeviations * static_cast<float>(result.rmse_m), kMinKernel, round.kernel_m);
+    }
     for (int iteration = 0; iteration < round.iterations; ++iteration) {
       const Sums sums = linearise(source, target, result.T_target_source, round);
       record(sums, result);

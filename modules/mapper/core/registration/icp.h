@@ -22,6 +22,7 @@ struct IcpRound {
   float max_distance_m;  ///< Of a correspondence.
   float kernel_m;        ///< Scale of the robust kernel: residuals beyond it count ever less.
   int iterations;
+  bool tighten = false;  ///< The kernel shrinks to three deviations of the residuals before, 3 cm at least.
 };
 
 struct IcpResult {

@@ -12,7 +12,9 @@ namespace {
 
 using namespace registration;
 
-constexpr std::size_t kFinalists = 3;  // candidates that the last ICP is run from: coarse ranks may swap neighbours
+// The last ICP is run from several candidates while their coarse ranks (log-odds) are near enough to swap.
+constexpr std::size_t kFinalists = 3;
+constexpr double kSwappable = 4.0;
 
 /// From between the sensors' centres to between the scans' frames.
 Pose to_scan_frames(const Pose& T, const PreparedScan::Data& source, const PreparedScan::Data& target) {
@@ -42,6 +44,7 @@ RegistrationResult conclude(const std::vector<Candidate>& candidates, const Prep
   std::vector<IcpResult> refined;
   std::vector<Candidate> finalists;
   for (std::size_t i = 0; i < std::min(kFinalists, candidates.size()); ++i) {
+    if (rank_of(candidates[0].evidence) - rank_of(candidates[i].evidence) > kSwappable) break;
     refined.push_back(refine_finely(source, target, candidates[i].T_target_source));
     finalists.push_back({refined.back().T_target_source, evidence_of(source, target, refined.back())});
   }

@@ -33,7 +33,7 @@ struct RegistrationResult {
   Verdict verdict = Verdict::refused;
   std::string reason;          ///< One sentence for people: why it was accepted or refused.
   double probability = 0.0;    ///< That T_target_source is right (within 0.1 m and 0.5 degrees).
-  double overlap = 0.0;        ///< Share of source points with a target point within 0.3 m.
+  double overlap = 0.0;        ///< Share of source points (one a 0.1 m voxel) with a target point within 0.3 m.
   double inlier_rmse_m = 0.0;  ///< Of the point-to-plane distances of the last ICP's inliers.
   Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();  ///< rotation vector, translation.
   std::vector<std::string> open_directions;  ///< What the scene leaves open, by name ("slides along 12 degrees").

@@ -10,7 +10,7 @@ namespace scanway::registration {
 namespace {
 
 constexpr std::array<IcpRound, 2> kCoarse = {{{1.2f, 0.4f, 6}, {0.6f, 0.2f, 8}}};
-constexpr std::array<IcpRound, 2> kFine = {{{0.5f, 0.1f, 10}, {0.5f, 0.03f, 20}}};
+constexpr std::array<IcpRound, 2> kFine = {{{0.5f, 0.1f, 10}, {0.5f, 0.1f, 20, true}}};
 constexpr std::size_t kCoarseSamples = 1500, kFineSamples = 8000;
 constexpr double kDistinctMetres = 0.5, kDistinctRadians = 0.09;
 

@@ -15,7 +15,7 @@ namespace {
 constexpr double kAcceptedProbability = 0.9;
 constexpr double kOpenShare = 0.008;   // of the information: the noise of normals alone (3 degrees) gives 0.003
 constexpr double kOpenLever = 0.4;     // metres: at this lever surfaces that are 3 mm off turn the scan by 0.4 degrees
-constexpr double kMinOverlap = 0.25;   // below, too little of either scan bears the answer
+constexpr double kMinOverlap = 0.22;   // below, too little of either scan bears the answer
 
 std::string format(const char* text, double a, double b = 0.0, double c = 0.0) {
   char buffer[200];
@@ -90,7 +90,7 @@ void decide(const Evidence& evidence, const Observability& observability, Regist
   if (!result.open_directions.empty()) {
     result.probability = std::min(result.probability, 0.5);
     result.reason = "The scene leaves a motion open: " + result.open_directions.front() + ".";
-  } else if (std::max(a.overlap, a.overlap_back) < kMinOverlap) {
+  } else if (std::min(a.overlap, a.overlap_back) < kMinOverlap) {
     result.probability = std::min(result.probability, 0.5);
     result.reason = "The scans share too little: " + figures + ".";
   } else if (result.probability >= kAcceptedProbability) {
