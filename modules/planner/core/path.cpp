@@ -92,9 +92,13 @@ class Clearance {
     }
     const CellRectangle& bounds = terrain_->bounds();
     const double widest = reach_ + static_cast<double>(std::max(bounds.width(), bounds.height())) + 2.0;
-    // Doubling the window until something is found; then only what may be nearer.
-    for (double window = 16.0 + reach_; least_ == kNone && window < 2.0 * widest; window *= 2.0) look(at, window);
     if (before != kNone) look(at, least_ + reach_ + 1.0);
+    // Doubling the window until something is found; then only what may be nearer.
+    for (double window = 16.0 + reach_; least_ == kNone && !none_; window *= 2.0) {
+      look(at, window);
+      none_ = least_ == kNone && window > widest;
+    }
+    if (before == kNone && !none_) look(at, least_ + reach_ + 1.0);
     return least_ < before;
   }
   double least() const { return least_; }
@@ -129,6 +133,7 @@ class Clearance {
   bool with_footprint_;
   Polygon polygon_;
   double least_ = kNone;
+  bool none_ = false;  ///< There is no occupied cell at all.
 };
 
 /// The share of the segment a-b (in cells) that lies in unknown cells: by points a tenth of a cell apart.

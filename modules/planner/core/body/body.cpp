@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kHeadingStep = 2.0 * repeatable::kPi / kHeadings;
 /// A turn of one heading is taken as so many short ones, each covered by the hull of its chords.
-constexpr int kTurnParts = 8;
+constexpr int kTurnParts = 64;
 
 Polygon turned(const Polygon& polygon, double angle) {
   return placed(polygon, repeatable::cos(angle), repeatable::sin(angle), 0.0, 0.0);
@@ -45,9 +45,24 @@ Spans crossed_by_edges(const Polygon& from, const Polygon& to, double stretch) {
     // The arc between two chord ends lies within the chord and its stretched copy.
     if (stretch > 1.0)
       points.insert(points.end(), {from[i] * stretch, from[j] * stretch, to[i] * stretch, to[j] * stretch});
-    parts.push_back(cells_under_hull(std::move(points)));
+    // By so much the stretched copy reaches too far.
+    parts.push_back(cells_under_hull(std::move(points), (stretch - 1.0) * std::max(from[i].norm(), from[j].norm())));
   }
   return join(parts);
+}
+
+/// With a corner more on each edge that has its point nearest to the origin between its ends: turning, what lies on
+/// one side of that point moves outwards and what lies on the other moves inwards.
+Polygon split_at_nearest(const Polygon& polygon) {
+  Polygon result;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Eigen::Vector2d& a = polygon[i];
+    const Eigen::Vector2d edge = polygon[(i + 1) % polygon.size()] - a;
+    const double along = -a.dot(edge) / std::max(edge.squaredNorm(), 1e-12);
+    result.push_back(a);
+    if (along > 0.0 && along < 1.0) result.push_back(a + along * edge);
+  }
+  return result;
 }
 
 Spans turn_between(const Polygon& footprint, const Spans& standing, int heading) {
@@ -87,7 +102,7 @@ Body::Body(const std::vector<Eigen::Vector2d>& footprint, double resolution_m) {
   for (int heading = 0; heading < kHeadings; ++heading) {
     const Polygon here = turned(footprint_, heading * kHeadingStep);
     standing_[heading] = cells_under(here);
-    turning_[heading] = turn_between(footprint_, standing_[heading], heading);
+    turning_[heading] = turn_between(split_at_nearest(footprint_), standing_[heading], heading);
     for (int step = 0; step < kSteps; ++step) {
       const Polygon there = placed(here, 1.0, 0.0, kStepX[step], kStepY[step]);
       const Spans both = join({standing_[heading], moved(standing_[heading], kStepX[step], kStepY[step])});

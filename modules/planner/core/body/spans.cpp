@@ -59,24 +59,24 @@ void hold_clipped(Interval& interval, const Eigen::Vector2d& a, const Eigen::Vec
   interval.hold(a.x() + (b.x() - a.x()) * ((high - a.y()) / rise));
 }
 
-void add_interval(Spans& spans, std::int32_t y, const Interval& interval) {
+void add_interval(Spans& spans, std::int32_t y, const Interval& interval, double touch) {
   if (!(interval.low <= interval.high)) return;
-  const auto x0 = static_cast<std::int32_t>(std::floor(interval.low + 0.5 + kTouch));
-  const auto x1 = static_cast<std::int32_t>(std::ceil(interval.high - 0.5 - kTouch));
+  const auto x0 = static_cast<std::int32_t>(std::floor(interval.low + 0.5 + touch));
+  const auto x1 = static_cast<std::int32_t>(std::ceil(interval.high - 0.5 - touch));
   if (x0 <= x1) spans.push_back({y, x0, x1});
 }
 
 /// The rows' slabs of a convex polygon are convex, so their width says all.
-Spans under_convex(const Polygon& polygon) {
+Spans under_convex(const Polygon& polygon, double touch) {
   Interval rows;
   for (const auto& corner : polygon) rows.hold(corner.y());
   Spans spans;
   for (std::int32_t y = nearest_row(rows.low); y <= nearest_row(rows.high); ++y) {
     Interval interval;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
-      hold_clipped(interval, polygon[i], polygon[(i + 1) % polygon.size()], y - 0.5 + kTouch, y + 0.5 - kTouch);
+      hold_clipped(interval, polygon[i], polygon[(i + 1) % polygon.size()], y - 0.5 + touch, y + 0.5 - touch);
     }
-    add_interval(spans, y, interval);
+    add_interval(spans, y, interval, touch);
   }
   return spans;
 }
@@ -91,7 +91,8 @@ void add_inside_at_middle(Spans& spans, const Polygon& polygon, std::int32_t y) 
     crossings.push_back(a.x() + (b.x() - a.x()) * ((y - a.y()) / (b.y() - a.y())));
   }
   std::sort(crossings.begin(), crossings.end());
-  for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) add_interval(spans, y, {crossings[i], crossings[i + 1]});
+  for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
+    add_interval(spans, y, {crossings[i], crossings[i + 1]}, kTouch);
 }
 
 Spans normalised(Spans spans) {
@@ -113,7 +114,7 @@ Spans cells_under(const Polygon& polygon) {
   Spans spans;
   Interval rows;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Spans edge = under_convex({polygon[i], polygon[(i + 1) % polygon.size()]});
+    const Spans edge = under_convex({polygon[i], polygon[(i + 1) % polygon.size()]}, kTouch);
     spans.insert(spans.end(), edge.begin(), edge.end());
     rows.hold(polygon[i].y());
   }
@@ -122,7 +123,9 @@ Spans cells_under(const Polygon& polygon) {
   return normalised(std::move(spans));
 }
 
-Spans cells_under_hull(Polygon points) { return under_convex(hull_of(std::move(points))); }
+Spans cells_under_hull(Polygon points, double touch) {
+  return under_convex(hull_of(std::move(points)), std::max(touch, kTouch));
+}
 
 Spans join(const std::vector<Spans>& parts) {
   Spans all;

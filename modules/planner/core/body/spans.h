@@ -25,8 +25,8 @@ using Polygon = std::vector<Eigen::Vector2d>;
 /// cell. The polygon need not be convex.
 Spans cells_under(const Polygon& polygon);
 
-/// The same for the convex hull of `points`.
-Spans cells_under_hull(Polygon points);
+/// The same for the convex hull of `points`; a cell that is overlapped by less than `touch` does not count.
+Spans cells_under_hull(Polygon points, double touch = 0.0);
 
 /// The cells of any of them.
 Spans join(const std::vector<Spans>& parts);

@@ -9,8 +9,9 @@ namespace scanway::planning {
 namespace {
 
 constexpr std::int32_t kBlock = 64;
-/// Cells around the map that tiles may still appear in. What is never touched costs no memory.
-constexpr std::int32_t kGrowth = 8 * CostTile::kSide;
+/// Tiles around the map that may still appear before the frame must be made anew. What is never touched costs no
+/// memory.
+constexpr std::int64_t kMostGrowth = 8;
 /// Parts of a metre's cost that a weight can tell apart.
 constexpr std::uint32_t kWeightParts = 64;
 
@@ -19,7 +20,8 @@ std::int32_t round_down(std::int32_t x, std::int32_t step) {
 }
 
 Frame frame_around(const CellRectangle& bounds, std::int32_t reach) {
-  const std::int32_t margin = kGrowth + (reach / CostTile::kSide + 1) * CostTile::kSide;
+  const auto growth = std::min(kMostGrowth, 1 + std::max(bounds.width(), bounds.height()) / CostTile::kSide);
+  const std::int32_t margin = (static_cast<std::int32_t>(growth) + reach / CostTile::kSide + 1) * CostTile::kSide;
   Frame frame;
   frame.low = {round_down(bounds.low.x, CostTile::kSide) - margin, round_down(bounds.low.y, CostTile::kSide) - margin};
   const std::int64_t width = round_down(bounds.high.x - 1, CostTile::kSide) + CostTile::kSide + margin - frame.low.x;

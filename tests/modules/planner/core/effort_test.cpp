@@ -1,0 +1,165 @@
+#include <gtest/gtest.h>
+
+#include "modules/planner/core/planner.h"
+#include "tests/modules/planner/support/maps.h"
+
+namespace scanway::test {
+namespace {
+
+using planning::BodyMode;
+using planning::PathPose;
+using planning::Planner;
+using planning::PlanResult;
+
+std::uint64_t work(const PlanResult& plan) { return plan.effort.expansions + plan.effort.dropped; }
+
+std::vector<Cell> tiles_of(const CellRectangle& cells) {
+  std::vector<Cell> tiles;
+  const Cell low = CostMap::tile_of(cells.low), high = CostMap::tile_of({cells.high.x - 1, cells.high.y - 1});
+  for (Cell tile = low; tile.y <= high.y; ++tile.y) {
+    for (tile.x = low.x; tile.x <= high.x; ++tile.x) tiles.push_back(tile);
+  }
+  return tiles;
+}
+
+PlanResult fresh_plan(const TestMap& map, BodyMode mode, Cell start, Cell goal) {
+  Planner planner(Robot(), mode);
+  planner.set_map(map.map, map.bounds);
+  return planner.plan(middle_of(map.map, start), middle_of(map.map, goal));
+}
+
+struct EffortCase {
+  const char* name;
+  BodyMode mode;
+  double resolution_m;
+  double share;
+  std::uint64_t least_gain;  ///< Of a driving robot's repairs against planning anew each time.
+};
+
+class Effort : public testing::TestWithParam<EffortCase> {
+ protected:
+  void SetUp() override {
+    Random random(5);
+    map = random_map(700, 700, GetParam().resolution_m, GetParam().share, false, random);
+    for (const Cell& end : {start, goal})
+      map.fill({{end.x - 12, end.y - 12}, {end.x + 13, end.y + 13}}, CellState::free);
+    planner = std::make_unique<Planner>(Robot(), GetParam().mode);
+    planner->set_map(map.map, map.bounds);
+    first = plan();
+    ASSERT_EQ(first.reason, "ok");
+  }
+  PlanResult plan() { return planner->plan(middle_of(map.map, start), middle_of(map.map, goal)); }
+  /// A wall of 1 x 15 cells; what planning then takes, after comparing the cost with a new planner's.
+  PlanResult after_wall(Cell at) {
+    const CellRectangle wall = {{at.x, at.y - 7}, {at.x + 1, at.y + 8}};
+    map.fill(wall, CellState::occupied);
+    planner->update(map.map, tiles_of(wall));
+    const PlanResult result = plan();
+    const PlanResult anew = fresh_plan(map, GetParam().mode, start, goal);
+    EXPECT_EQ(result.reason, "ok");
+    EXPECT_EQ(result.cost, anew.cost);
+    searched_anew = work(anew);
+    return result;
+  }
+
+  TestMap map;
+  Cell start{40, 350};
+  Cell goal{660, 360};
+  std::unique_ptr<Planner> planner;
+  PlanResult first;
+  std::uint64_t searched_anew = 0;
+};
+
+TEST_P(Effort, AChangeNearTheGoalCostsNoMoreThanANewSearch) {
+  const PlanResult result = after_wall({goal.x - 9, goal.y});
+  // What was dropped before the planner noticed is a quarter of a search at most, and dropping is the cheaper half.
+  EXPECT_LE(result.effort.expansions, searched_anew * 11 / 10);
+}
+
+TEST_P(Effort, ADrivingRobotPaysOnce) {
+  std::uint64_t total = 0, anew = 0;
+  for (int step = 0; step < 40; ++step) {
+    const auto& path = first.path;
+    const auto at = std::min<std::size_t>(path.size() - 1, 12);
+    start = {static_cast<std::int32_t>(path[at].x_m / GetParam().resolution_m),
+             static_cast<std::int32_t>(path[at].y_m / GetParam().resolution_m)};
+    const CellRectangle post = {{start.x + 8, start.y + 4}, {start.x + 10, start.y + 6}};
+    map.fill(post, CellState::occupied);
+    planner->update(map.map, tiles_of(post));
+    first = plan();
+    const PlanResult fresh = fresh_plan(map, GetParam().mode, start, goal);
+    ASSERT_EQ(first.reason, fresh.reason);
+    ASSERT_EQ(first.cost, fresh.cost);
+    if (first.reason != "ok") break;
+    total += work(first);
+    anew += work(fresh);
+  }
+  EXPECT_LE(GetParam().least_gain * total, anew) << total << " of " << anew;
+}
+
+TEST_P(Effort, AGoalThatMovesIsFollowed) {
+  std::uint64_t total = 0, anew = 0;
+  for (int step = 0; step < 30; ++step) {
+    goal.x -= 10;
+    if (map.map.state(goal) != CellState::free) continue;
+    const PlanResult result = plan();
+    const PlanResult fresh = fresh_plan(map, GetParam().mode, start, goal);
+    ASSERT_EQ(result.reason, fresh.reason);
+    ASSERT_EQ(result.cost, fresh.cost);
+    total += work(result);
+    anew += work(fresh);
+  }
+  EXPECT_LE(5 * total, anew);
+}
+
+struct Total {
+  std::uint64_t repaired = 0;
+  std::uint64_t anew = 0;
+};
+
+/// The way of ten hard problems of a map is blocked a few cells before the robot.
+Total block_before_robot(const std::string& name) {
+  const TestMap original = moving_ai_map(name);
+  const std::vector<Problem> problems = moving_ai_problems(name);
+  Total total;
+  for (std::size_t i = problems.size() - 100; i < problems.size(); i += 10) {
+    const auto [start, goal, length] = problems[i];
+    TestMap map = original;
+    Planner planner(Robot(), BodyMode::point);
+    planner.set_map(map.map, map.bounds);
+    const PlanResult first = planner.plan(middle_of(map.map, start), middle_of(map.map, goal));
+    const PathPose& ahead = first.path.at(std::min<std::size_t>(8, first.path.size() / 2));
+    const Cell cell = {static_cast<std::int32_t>(ahead.x_m), static_cast<std::int32_t>(ahead.y_m)};
+    map.map.set_state(cell, CellState::occupied);
+    planner.update(map.map, {CostMap::tile_of(cell)});
+    const PlanResult repaired = planner.plan(middle_of(map.map, start), middle_of(map.map, goal));
+    const PlanResult fresh = fresh_plan(map, BodyMode::point, start, goal);
+    EXPECT_EQ(repaired.reason, fresh.reason);
+    EXPECT_EQ(repaired.cost, fresh.cost);
+    total.repaired += work(repaired);
+    total.anew += work(fresh);
+  }
+  return total;
+}
+
+TEST(NearTheRobot, AChangeCostsATwentiethOfANewSearch) {
+  if (!has_moving_ai_maps()) GTEST_SKIP() << "no ../shared/data/grid_maps_movingai";
+  Total all;
+  for (const char* name : {"den520d", "AR0011SR", "16room_000", "random512-20-0", "maze512-8-0", "Berlin_0_256"}) {
+    const Total total = block_before_robot(name);
+    EXPECT_GT(total.repaired, 0u) << name;
+    // Where the change closes the only near door, the way grows, and D* Lite looks at all between the two lengths.
+    EXPECT_LE(6 * total.repaired, total.anew) << name;
+    all.repaired += total.repaired;
+    all.anew += total.anew;
+  }
+  EXPECT_LE(20 * all.repaired, all.anew) << all.repaired << " of " << all.anew;
+}
+
+INSTANTIATE_TEST_SUITE_P(Modes, Effort,
+                         testing::Values(EffortCase{"rubble", BodyMode::point, 0.05, 0.25, 10},
+                                         EffortCase{"body", BodyMode::footprint, 0.05, 0.004, 5}),
+                         [](const auto& test) { return test.param.name; });
+
+}  // namespace
+}  // namespace scanway::test

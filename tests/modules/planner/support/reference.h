@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "common/robot/robot.h"
+#include "modules/planner/core/body/terrain.h"
+#include "tests/modules/planner/support/maps.h"
+
+namespace scanway::test {
+
+/// The least cost between two cells by a plain Dijkstra on cells, in metres; nothing when there is no way. The rules of
+/// docs/planning.md for the modes point and paper, written without the planner's code.
+std::optional<double> dijkstra_cost(const TestMap& map, const Robot& robot, planning::BodyMode mode, Cell start,
+                                    Cell goal);
+
+/// The same for the mode footprint, on all (x, y, 16 headings), with polygons tested against every blocked cell.
+/// `headings` = 8 leaves out the odd ones.
+std::optional<double> dijkstra_cost_of_body(const TestMap& map, const Robot& robot, Cell start, Cell goal,
+                                            int headings);
+
+/// Whether the area of the footprint at (x, y, heading) overlaps that of a cell in state `occupied` (or unknown, under
+/// `never`), by more than rounding. Separating axes: convex footprints only.
+bool body_hits(const TestMap& map, const Robot& robot, double x_m, double y_m, double heading);
+
+}  // namespace scanway::test
