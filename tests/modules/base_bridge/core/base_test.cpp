@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "tests/modules/base_bridge/core/test_robot.h"
+#include "tests/modules/base_bridge/test_robot.h"
 
 namespace scanway {
 namespace {

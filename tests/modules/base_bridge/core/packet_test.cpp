@@ -12,7 +12,7 @@
 #include "modules/base_bridge/core/command.h"
 #include "modules/base_bridge/core/odometry.h"
 #include "modules/base_bridge/core/report.h"
-#include "tests/modules/base_bridge/core/test_robot.h"
+#include "tests/modules/base_bridge/test_robot.h"
 #include "tests/support/command.h"
 
 namespace scanway {
