@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cstdio>
 #include <filesystem>
 
 #include <gtest/gtest.h>
@@ -35,10 +37,11 @@ class EveryPair : public testing::TestWithParam<std::string> {
     for (const PointCloud& cloud : set.clouds) scans.push_back(PreparedScan::make(cloud, Eigen::Vector3d::Zero(), {}));
     Count count;
     for (std::size_t target = 0; target < scans.size(); ++target) {
-      for (std::size_t source = 0; source < scans.size(); ++source) {
-        if (source == target || loose_reference(set, std::max(source, target), std::min(source, target))) continue;
+      for (std::size_t source = target + 1; source < scans.size(); ++source) {
+        if (loose_reference(set, source, target)) continue;
         const Pose truth = set.T_target_source(source, target);
-        const bool required = true_overlap(set.clouds[source], set.clouds[target], truth) >= 0.3;
+        const bool required = std::min(true_overlap(set.clouds[source], set.clouds[target], truth),
+                                       true_overlap(set.clouds[target], set.clouds[source], truth.inverse())) >= 0.3;
         for (int seed = 1; seed <= seeds; ++seed) {
           Random random(static_cast<std::uint64_t>(seed) * 1000 + source * 30 + target);
           const auto result = register_scans(scans[source], scans[target], make_prior(kind, truth, random), {});
