@@ -38,8 +38,8 @@ struct Stretch {
 
 /// Finds the whole frames of a byte stream that comes in any pieces, and of which bytes may be missing, doubled or
 /// wrong. After a broken frame the search goes on one byte further, so a good frame is never lost to a bad one. A frame
-/// that waits for more bytes than will come (its length is wrong) is given up as soon as two whole frames follow each
-/// other inside it. No byte is in two stretches, and all are in one.
+/// inside of which two whole frames follow each other is none: its length is wrong. So one that waits for bytes that
+/// will not come does not hold up those after it. No byte is in two stretches, and all are in one.
 class FrameFinder {
  public:
   /// Says what begins at bytes[0]. It is never called without bytes.

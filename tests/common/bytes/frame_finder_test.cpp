@@ -54,6 +54,7 @@ TEST(FrameFinder, GivesUpAFrameInsideOfWhichTwoOthersFollowEachOther) {
   EXPECT_EQ(found_in("<9<1a>", 1, false), "");
   EXPECT_EQ(found_in("<9<1a><1b>", 1, false), "[0+2]<1a><1b>");
   EXPECT_EQ(found_in("<9<1a>x<1b", 1, false), "");
+  for (std::size_t piece = 1; piece < 12; ++piece) EXPECT_EQ(found_in("<8<1a><1b>>", piece), "[0+2]<1a><1b>[10+1]");
 }
 
 TEST(FrameFinder, AFrameMayHoldWhatLooksLikeAnother) { EXPECT_EQ(found_in("<4<1a>>", 1), "<4<1a>>"); }
