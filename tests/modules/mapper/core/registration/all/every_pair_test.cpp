@@ -86,7 +86,7 @@ TEST_P(EveryPair, WithoutOrientationNineInTenAreRightAndTheRestRefused) {
 }
 
 INSTANTIATE_TEST_SUITE_P(RealSets, EveryPair, testing::ValuesIn(real_set_names()),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& set) { return set.param; });
 
 }  // namespace
 }  // namespace scanway
