@@ -94,7 +94,8 @@ void SerialPort::set_baud(int baud) {
   // tcsetattr() is content when any one of the settings was taken.
   termios taken{};
   if (tcgetattr(descriptor(), &taken) != 0 || cfgetospeed(&taken) != speed) {
-    throw InputError(path_ + ": the port does not do " + std::to_string(baud) + " baud; choose another rate or adapter");
+    throw InputError(path_ + ": the port does not do " + std::to_string(baud) +
+                     " baud; choose another rate or adapter");
   }
   tcflush(descriptor(), TCIFLUSH);
   baud_ = baud;
