@@ -67,8 +67,13 @@ void add_echoes(const sick::Scan& scan, Json& line) {
 }
 
 Json date_of(const sick::DeviceDate& date) {
-  return {{"year", date.year},     {"month", date.month},   {"day", date.day},  {"hour", date.hour},
-          {"minute", date.minute}, {"second", date.second}, {"microsecond", date.microsecond}};
+  return {{"year", date.year},
+          {"month", date.month},
+          {"day", date.day},
+          {"hour", date.hour},
+          {"minute", date.minute},
+          {"second", date.second},
+          {"microsecond", date.microsecond}};
 }
 
 void add_further_blocks(const sick::Scan& scan, Json& line) {

@@ -25,8 +25,10 @@ Json json_of(std::uint32_t value) { return value; }
 Json json_of(const xsens::BitField& field) { return fmt::format("0x{:0{}X}", field.bits, field.digits); }
 Json json_of(const xsens::Bytes& bytes) { return hex_of(bytes); }
 Json json_of(const xsens::UtcTime& time) {
-  return {{"ns", time.nanosecond}, {"year", time.year},     {"month", time.month},   {"day", time.day},
-          {"hour", time.hour},     {"minute", time.minute}, {"second", time.second}, {"flags", fmt::format("0x{:02X}", time.flags)}};
+  return {{"ns", time.nanosecond}, {"year", time.year},
+          {"month", time.month},   {"day", time.day},
+          {"hour", time.hour},     {"minute", time.minute},
+          {"second", time.second}, {"flags", fmt::format("0x{:02X}", time.flags)}};
 }
 
 void add_items(const std::vector<xsens::Item>& items, Json& line) {
@@ -70,15 +72,25 @@ class LineMaker {
     if (message.mid == xsens::kMtData) return add_mtdata(message, line);
     if (message.data.empty()) return;
     switch (message.mid) {
-      case xsens::kConfiguration: return add_configuration(parse_configuration(message), line);
+      case xsens::kConfiguration:
+        return add_configuration(parse_configuration(message), line);
       case xsens::kSetOutputConfiguration:
-      case xsens::kOutputConfiguration: line["output_configuration"] = json_of(parse_output_configuration(message)); return;
+      case xsens::kOutputConfiguration:
+        line["output_configuration"] = json_of(parse_output_configuration(message));
+        return;
       case xsens::kDeviceId:
-      case xsens::kInitResults: line["device_id"] = fmt::format("0x{:08X}", parse_device_id(message)); return;
-      case xsens::kFirmware: return add_firmware(parse_firmware(message), line);
-      case xsens::kProductCode: line["product_code"] = std::string(message.data.begin(), message.data.end()); return;
-      case xsens::kError: return add_error(parse_error(message), line);
-      default: add_setting(message, line);
+      case xsens::kInitResults:
+        line["device_id"] = fmt::format("0x{:08X}", parse_device_id(message));
+        return;
+      case xsens::kFirmware:
+        return add_firmware(parse_firmware(message), line);
+      case xsens::kProductCode:
+        line["product_code"] = std::string(message.data.begin(), message.data.end());
+        return;
+      case xsens::kError:
+        return add_error(parse_error(message), line);
+      default:
+        add_setting(message, line);
     }
   }
 

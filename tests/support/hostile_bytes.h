@@ -22,16 +22,25 @@ inline Bytes random_bytes(std::size_t count, Random& random) {
 inline Bytes damaged(Bytes frame, Random& random) {
   const auto place = [&] { return frame.begin() + static_cast<std::ptrdiff_t>(random.below(frame.size())); };
   switch (random.below(6)) {
-    case 0: *place() ^= static_cast<std::uint8_t>(1U << random.below(8)); break;
-    case 1: frame.erase(place()); break;
+    case 0:
+      *place() ^= static_cast<std::uint8_t>(1U << random.below(8));
+      break;
+    case 1:
+      frame.erase(place());
+      break;
     case 2: {
       const auto at = place();
       frame.insert(at, std::uint8_t{*at});
       break;
     }
-    case 3: frame.erase(place(), frame.end()); break;
-    case 4: *place() = static_cast<std::uint8_t>(random.below(256)); break;
-    default: break;
+    case 3:
+      frame.erase(place(), frame.end());
+      break;
+    case 4:
+      *place() = static_cast<std::uint8_t>(random.below(256));
+      break;
+    default:
+      break;
   }
   return frame;
 }

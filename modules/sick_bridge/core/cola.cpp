@@ -116,8 +116,8 @@ std::string make_frame(Dialect dialect, std::string_view body) {
   std::string frame(4, static_cast<char>(kStx));
   append_big_endian(frame, body.size(), 4);
   frame += body;
-  frame.push_back(static_cast<char>(
-      checksum(std::span(reinterpret_cast<const std::uint8_t*>(body.data()), body.size()))));
+  frame.push_back(
+      static_cast<char>(checksum(std::span(reinterpret_cast<const std::uint8_t*>(body.data()), body.size()))));
   return frame;
 }
 

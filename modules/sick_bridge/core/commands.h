@@ -19,8 +19,8 @@ struct Request {
 
 /// What the scanner is set to. Angles of the LMS5xx are fixed; a sector is cut with the output range.
 struct ScanConfig {
-  std::uint32_t frequency = 2500;    ///< 1/100 Hz.
-  std::uint32_t resolution = 1667;   ///< 1/10000 deg.
+  std::uint32_t frequency = 2500;     ///< 1/100 Hz.
+  std::uint32_t resolution = 1667;    ///< 1/10000 deg.
   std::int32_t start_angle = -50000;  ///< 1/10000 deg.
   std::int32_t stop_angle = 1850000;
 

@@ -23,8 +23,8 @@ struct Layout {
 };
 
 constexpr Parameter kLogin[] = {{"level", Type::u8}, {"password_hash", Type::u32}};
-constexpr Parameter kSuccess[] = {{"accepted", Type::u8}};         // 1: yes.
-constexpr Parameter kRefusal[] = {{"refused", Type::u8}};          // 0: no.
+constexpr Parameter kSuccess[] = {{"accepted", Type::u8}};  // 1: yes.
+constexpr Parameter kRefusal[] = {{"refused", Type::u8}};   // 0: no.
 constexpr Parameter kText[] = {{"text", Type::text}};
 constexpr Parameter kIdentity[] = {{"model", Type::text}, {"version", Type::text}};
 constexpr Parameter kDeviceState[] = {{"state", Type::u8, device_state_name}};
@@ -41,45 +41,67 @@ constexpr Parameter kOutputRange[] = {{"ranges", Type::u16},
                                       {"resolution_1e4_deg", Type::u32},
                                       {"start_angle_1e4_deg", Type::i32},
                                       {"stop_angle_1e4_deg", Type::i32}};
-constexpr Parameter kScanContent[] = {{"channels", Type::bits},   {"rssi", Type::u8},      {"rssi_16_bit", Type::u8},
-                                      {"unit", Type::u8},         {"encoders", Type::bits}, {"position", Type::u8},
-                                      {"device_name", Type::u8},  {"comment", Type::u8},   {"date", Type::u8},
+constexpr Parameter kScanContent[] = {{"channels", Type::bits},  {"rssi", Type::u8},       {"rssi_16_bit", Type::u8},
+                                      {"unit", Type::u8},        {"encoders", Type::bits}, {"position", Type::u8},
+                                      {"device_name", Type::u8}, {"comment", Type::u8},    {"date", Type::u8},
                                       {"every", Type::u16}};
 constexpr Parameter kEchoFilter[] = {{"echo_filter", Type::u8}};
 constexpr Parameter kOnOff[] = {{"on", Type::u8}};
 constexpr Parameter kSetting[] = {{"setting", Type::u8}};
 constexpr Parameter kEncoderResolution[] = {{"mm_per_tick", Type::f32}};
-constexpr Parameter kDate[] = {{"year", Type::u16}, {"month", Type::u8},  {"day", Type::u8},        {"hour", Type::u8},
-                               {"minute", Type::u8}, {"second", Type::u8}, {"microsecond", Type::u32}};
+constexpr Parameter kDate[] = {{"year", Type::u16},       {"month", Type::u8},  {"day", Type::u8},
+                               {"hour", Type::u8},        {"minute", Type::u8}, {"second", Type::u8},
+                               {"microsecond", Type::u32}};
 // Only the status of STlms is safe: the listing's example contradicts its own table.
 constexpr Parameter kOperatingStatus[] = {{"status", Type::u16, operating_status_name}};
 
 constexpr Layout kLayouts[] = {
-    {"sMN SetAccessMode", kLogin},         {"sAN SetAccessMode", kSuccess},
-    {"sRA FirmwareVersion", kText},        {"sRA LocationName", kText},
-    {"sRA DeviceIdent", kIdentity},        {"sRA SCdevicestate", kDeviceState},
-    {"sRA LCMstate", kContamination},      {"sRA ODoprh", kHours},
-    {"sRA ODpwrc", kPowerOns},             {"sRA STlms", kOperatingStatus},
-    {"sMN mLMPsetscancfg", kScanConfig},   {"sAN mLMPsetscancfg", kScanConfigStatus},
-    {"sRA LMPscancfg", kScanConfig},       {"sWN LMPoutputRange", kOutputRange},
-    {"sRA LMPoutputRange", kOutputRange},  {"sWN LMDscandatacfg", kScanContent},
-    {"sRA LMDscandatacfg", kScanContent},  {"sWN FREchoFilter", kEchoFilter},
-    {"sRA FREchoFilter", kEchoFilter},     {"sWN EIHstCola", kSetting},
-    {"sWN LICsrc", kSetting},              {"sWN LICencset", kSetting},
-    {"sWN LICencres", kEncoderResolution}, {"sWN DO3And4Fnc", kSetting},
-    {"sMN LSPsetdatetime", kDate},         {"sAN LSPsetdatetime", kSuccess},
-    {"sAN Run", kSuccess},                 {"sAN mEEwriteall", kSuccess},
-    {"sAN LMCstartmeas", kRefusal},        {"sAN LMCstopmeas", kRefusal},
-    {"sEN LMDscandata", kOnOff},           {"sEA LMDscandata", kOnOff},
+    {"sMN SetAccessMode", kLogin},
+    {"sAN SetAccessMode", kSuccess},
+    {"sRA FirmwareVersion", kText},
+    {"sRA LocationName", kText},
+    {"sRA DeviceIdent", kIdentity},
+    {"sRA SCdevicestate", kDeviceState},
+    {"sRA LCMstate", kContamination},
+    {"sRA ODoprh", kHours},
+    {"sRA ODpwrc", kPowerOns},
+    {"sRA STlms", kOperatingStatus},
+    {"sMN mLMPsetscancfg", kScanConfig},
+    {"sAN mLMPsetscancfg", kScanConfigStatus},
+    {"sRA LMPscancfg", kScanConfig},
+    {"sWN LMPoutputRange", kOutputRange},
+    {"sRA LMPoutputRange", kOutputRange},
+    {"sWN LMDscandatacfg", kScanContent},
+    {"sRA LMDscandatacfg", kScanContent},
+    {"sWN FREchoFilter", kEchoFilter},
+    {"sRA FREchoFilter", kEchoFilter},
+    {"sWN EIHstCola", kSetting},
+    {"sWN LICsrc", kSetting},
+    {"sWN LICencset", kSetting},
+    {"sWN LICencres", kEncoderResolution},
+    {"sWN DO3And4Fnc", kSetting},
+    {"sMN LSPsetdatetime", kDate},
+    {"sAN LSPsetdatetime", kSuccess},
+    {"sAN Run", kSuccess},
+    {"sAN mEEwriteall", kSuccess},
+    {"sAN LMCstartmeas", kRefusal},
+    {"sAN LMCstopmeas", kRefusal},
+    {"sEN LMDscandata", kOnOff},
+    {"sEA LMDscandata", kOnOff},
 };
 
 std::int64_t read_number(ParameterReader& reader, Type type) {
   switch (type) {
-    case Type::u8: return reader.u8();
-    case Type::u16: return reader.u16();
-    case Type::u32: return reader.u32();
-    case Type::i32: return reader.i32();
-    default: return reader.bits();
+    case Type::u8:
+      return reader.u8();
+    case Type::u16:
+      return reader.u16();
+    case Type::u32:
+      return reader.u32();
+    case Type::i32:
+      return reader.i32();
+    default:
+      return reader.bits();
   }
 }
 

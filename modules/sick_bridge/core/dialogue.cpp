@@ -68,7 +68,8 @@ void Dialogue::tick(Utime now) {
         ask_for_status(now);
       }
       return;
-    case State::failed: return;
+    case State::failed:
+      return;
   }
 }
 

@@ -39,8 +39,8 @@ constexpr const char* kErrors[] = {
 };
 constexpr const char* kDeviceStates[] = {"busy", "ready", "error", "standby"};
 constexpr const char* kContaminations[] = {"none", "warning", "error", "defective"};
-constexpr const char* kStatuses[] = {"booting", "booting", "booting",   "booting",         "booting", "booting",
-                                     "ready",   "measuring", "firmware update", nullptr, "error"};
+constexpr const char* kStatuses[] = {"booting", "booting",   "booting",         "booting", "booting", "booting",
+                                     "ready",   "measuring", "firmware update", nullptr,   "error"};
 constexpr const char* kScanConfigErrors[] = {"", "frequency", "resolution", "resolution and scan area", "scan area"};
 
 std::string look_up(std::span<const char* const> names, unsigned number, const char* unknown) {

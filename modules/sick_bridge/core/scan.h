@@ -54,10 +54,10 @@ struct Scan {
   std::uint16_t version = 0;
   std::uint16_t device_number = 0;
   std::uint32_t serial_number = 0;
-  std::uint16_t device_status = 0;      ///< Bits of DeviceStatus.
-  std::uint16_t telegram_counter = 0;   ///< +1 a telegram, wraps.
-  std::uint16_t scan_counter = 0;       ///< +1 a scan, wraps.
-  std::uint32_t start_time_us = 0;      ///< Of the scan, on the device's clock since its start; wraps after 71 min.
+  std::uint16_t device_status = 0;         ///< Bits of DeviceStatus.
+  std::uint16_t telegram_counter = 0;      ///< +1 a telegram, wraps.
+  std::uint16_t scan_counter = 0;          ///< +1 a scan, wraps.
+  std::uint32_t start_time_us = 0;         ///< Of the scan, on the device's clock since its start; wraps after 71 min.
   std::uint32_t transmission_time_us = 0;  ///< Of the telegram, on the same clock.
   std::uint16_t digital_inputs = 0;
   std::uint16_t digital_outputs = 0;

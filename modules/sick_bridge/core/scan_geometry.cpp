@@ -9,11 +9,10 @@ constexpr double kUnitsPerDegree = 10000.0;
 constexpr double kMetresPerMillimetre = 1000.0;
 
 constexpr ScanMode kModes[] = {
-    {2500, 1667, false}, {2500, 2500, false},  {3500, 2500, false}, {3500, 5000, false},
-    {5000, 3333, false}, {5000, 5000, false},  {7500, 5000, false}, {7500, 10000, false},
-    {10000, 6667, false}, {10000, 10000, false}, {5000, 1667, true},  {7500, 2500, true},
-    {10000, 1667, true}, {10000, 3333, true},  {10000, 5000, true}, {2500, 833, true},
-    {2500, 417, true},
+    {2500, 1667, false}, {2500, 2500, false}, {3500, 2500, false},  {3500, 5000, false},  {5000, 3333, false},
+    {5000, 5000, false}, {7500, 5000, false}, {7500, 10000, false}, {10000, 6667, false}, {10000, 10000, false},
+    {5000, 1667, true},  {7500, 2500, true},  {10000, 1667, true},  {10000, 3333, true},  {10000, 5000, true},
+    {2500, 833, true},   {2500, 417, true},
 };
 
 double value_of(const ScanChannel& channel, std::size_t beam) {

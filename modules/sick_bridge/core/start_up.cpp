@@ -21,11 +21,8 @@ Step read_step(Dialect dialect, const char* name, const Accept& accept) {
 }
 
 Step change_step(const char* purpose, Request request, const Accept& accept = {}) {
-  return {.purpose = purpose,
-          .request = std::move(request),
-          .patience = kWritePatience,
-          .accept = accept,
-          .needed = {}};
+  return {
+      .purpose = purpose, .request = std::move(request), .patience = kWritePatience, .accept = accept, .needed = {}};
 }
 
 /// For methods that answer with this number when they did as they were told.

@@ -18,19 +18,25 @@ constexpr std::size_t kReadAtOnce = 64 * 1024;
 
 std::string advice(int error) {
   switch (error) {
-    case ECONNREFUSED: return "; is that the port of the device (2112 or 2111), and has it started?";
+    case ECONNREFUSED:
+      return "; is that the port of the device (2112 or 2111), and has it started?";
     case EHOSTUNREACH:
-    case ENETUNREACH: return "; check the cable, the power and that this machine has an address in its network";
-    case ETIMEDOUT: return "; check the address, the cable and the power";
+    case ENETUNREACH:
+      return "; check the cable, the power and that this machine has an address in its network";
+    case ETIMEDOUT:
+      return "; check the address, the cable and the power";
     case ECONNRESET:
-    case EPIPE: return "; it rebooted, or another program took its only connection";
-    default: return "";
+    case EPIPE:
+      return "; it rebooted, or another program took its only connection";
+    default:
+      return "";
   }
 }
 
 /// A socket that polls, notices a dead peer, and sends small requests at once.
 int open_socket(const addrinfo& address) {
-  const int socket = ::socket(address.ai_family, address.ai_socktype | SOCK_NONBLOCK | SOCK_CLOEXEC, address.ai_protocol);
+  const int socket =
+      ::socket(address.ai_family, address.ai_socktype | SOCK_NONBLOCK | SOCK_CLOEXEC, address.ai_protocol);
   if (socket < 0) return socket;
   const int on = 1;
   setsockopt(socket, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);

@@ -9,8 +9,8 @@
 
 namespace scanway::sick {
 
-/// One TCP connection to a device. It does not block (but for looking up a name): it is connecting until it is connected
-/// or closed.
+/// One TCP connection to a device. It does not block (but for looking up a name): it is connecting until it is
+/// connected or closed.
 class TcpClient {
  public:
   enum class State : std::uint8_t { closed, connecting, connected };

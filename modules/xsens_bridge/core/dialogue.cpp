@@ -68,11 +68,11 @@ void Dialogue::add_questions() {
                       info_.device_id = parse_device_id(answer);
                       return std::string();
                     }});
-  steps_.push_back({"tell its product code", make_frame(kReqProductCode), kProductCode, 3, false,
-                    [this](const Message& answer) {
-                      info_.product_code = parse_product_code(answer);
-                      return std::string();
-                    }});
+  steps_.push_back(
+      {"tell its product code", make_frame(kReqProductCode), kProductCode, 3, false, [this](const Message& answer) {
+         info_.product_code = parse_product_code(answer);
+         return std::string();
+       }});
   steps_.push_back({"tell its firmware", make_frame(kReqFirmware), kFirmware, 3, false, [this](const Message& answer) {
                       info_.firmware = parse_firmware(answer);
                       return std::string();
@@ -88,8 +88,8 @@ void Dialogue::add_questions() {
 }
 
 void Dialogue::add_current_settings() {
-  steps_.push_back({"take the output that is wanted", set_output_configuration(wanted_output()), kOutputConfiguration, 3,
-                    true, [this](const Message& answer) { return accept_output_configuration(answer); }});
+  steps_.push_back({"take the output that is wanted", set_output_configuration(wanted_output()), kOutputConfiguration,
+                    3, true, [this](const Message& answer) { return accept_output_configuration(answer); }});
 }
 
 void Dialogue::add_legacy_settings() {

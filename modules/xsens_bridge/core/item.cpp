@@ -11,10 +11,14 @@ std::size_t size_of(NumberFormat format) {
 
 double read_number(BigEndianReader& reader, NumberFormat format) {
   switch (format) {
-    case NumberFormat::float32: return reader.f32();
-    case NumberFormat::fp12_20: return std::ldexp(reader.i32(), -20);
-    case NumberFormat::float64: return reader.f64();
-    case NumberFormat::fp16_32: break;
+    case NumberFormat::float32:
+      return reader.f32();
+    case NumberFormat::fp12_20:
+      return std::ldexp(reader.i32(), -20);
+    case NumberFormat::float64:
+      return reader.f64();
+    case NumberFormat::fp16_32:
+      break;
   }
   const double fraction = std::ldexp(reader.u32(), -32);  // The fraction comes first.
   return reader.i16() + fraction;

@@ -65,10 +65,14 @@ std::vector<Block> blocks_of(const OutputLayout& layout) {
 
 std::size_t size_of(const Block& block, NumberFormat format) {
   switch (block.form) {
-    case Form::numbers: return block.count * size_of(format);
-    case Form::u16s: return block.count * 2;
-    case Form::bits: return 1;
-    case Form::utc: break;
+    case Form::numbers:
+      return block.count * size_of(format);
+    case Form::u16s:
+      return block.count * 2;
+    case Form::bits:
+      return 1;
+    case Form::utc:
+      break;
   }
   return 12;
 }
@@ -87,8 +91,12 @@ Item read_block(BigEndianReader& reader, const Block& block, const OutputLayout&
     case Form::u16s:
       for (std::size_t i = 0; i < block.count; ++i) numbers.push_back(reader.u16());
       break;
-    case Form::bits: item.value = BitField{reader.u8(), 2}; return item;
-    case Form::utc: item.value = read_utc(reader); return item;
+    case Form::bits:
+      item.value = BitField{reader.u8(), 2};
+      return item;
+    case Form::utc:
+      item.value = read_utc(reader);
+      return item;
   }
   if (block.quantity == Quantity::rotation_matrix) numbers = rows_from_columns(numbers);
   if (block.quantity == Quantity::sample_counter || block.quantity == Quantity::raw_temperature) {
@@ -112,15 +120,22 @@ bool plausible(const Item& item) {
   if (!std::all_of(numbers->begin(), numbers->end(), [](double value) { return std::isfinite(value); })) return false;
   const double norm = norm_of(*numbers);
   switch (item.quantity) {
-    case Quantity::quaternion: return std::fabs(norm - 1.0) < 0.01;
-    case Quantity::rotation_matrix: return std::fabs(norm - std::sqrt(3.0)) < 0.01;
+    case Quantity::quaternion:
+      return std::fabs(norm - 1.0) < 0.01;
+    case Quantity::rotation_matrix:
+      return std::fabs(norm - std::sqrt(3.0)) < 0.01;
     case Quantity::euler:
       return std::fabs((*numbers)[0]) <= 180.5 && std::fabs((*numbers)[1]) <= 90.5 && std::fabs((*numbers)[2]) <= 180.5;
-    case Quantity::acceleration: return norm > 1.0 && norm < 100.0;
-    case Quantity::rate_of_turn: return norm < 100.0;
-    case Quantity::magnetic_field: return norm > 0.01 && norm < 10.0;
-    case Quantity::temperature: return (*numbers)[0] > -60.0 && (*numbers)[0] < 120.0;
-    default: return true;
+    case Quantity::acceleration:
+      return norm > 1.0 && norm < 100.0;
+    case Quantity::rate_of_turn:
+      return norm < 100.0;
+    case Quantity::magnetic_field:
+      return norm > 0.01 && norm < 10.0;
+    case Quantity::temperature:
+      return (*numbers)[0] > -60.0 && (*numbers)[0] < 120.0;
+    default:
+      return true;
   }
 }
 

@@ -58,10 +58,14 @@ const Definition* find_definition(std::uint16_t id) {
 
 std::optional<EarthFrame> frame_of(std::uint16_t id) {
   switch (id >> 2 & 3) {
-    case 0: return EarthFrame::enu;
-    case 1: return EarthFrame::ned;
-    case 2: return EarthFrame::nwu;
-    default: return std::nullopt;
+    case 0:
+      return EarthFrame::enu;
+    case 1:
+      return EarthFrame::ned;
+    case 2:
+      return EarthFrame::nwu;
+    default:
+      return std::nullopt;
   }
 }
 

@@ -54,9 +54,12 @@ Eigen::Quaterniond from_matrix(const Numbers& rows) {
 /// The rotation from the tracker's earth frame to x east, y north, z up.
 Eigen::Quaterniond q_enu(EarthFrame frame) {
   switch (frame) {
-    case EarthFrame::nwu: return {kSqrtHalf, 0.0, 0.0, kSqrtHalf};
-    case EarthFrame::ned: return {0.0, kSqrtHalf, kSqrtHalf, 0.0};
-    case EarthFrame::enu: break;
+    case EarthFrame::nwu:
+      return {kSqrtHalf, 0.0, 0.0, kSqrtHalf};
+    case EarthFrame::ned:
+      return {0.0, kSqrtHalf, kSqrtHalf, 0.0};
+    case EarthFrame::enu:
+      break;
   }
   return Eigen::Quaterniond::Identity();
 }

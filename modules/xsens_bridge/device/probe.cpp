@@ -22,8 +22,8 @@ void describe_tracker(const TrackerDevice& device, std::vector<std::string>& lin
     lines.push_back(text);
   }
   if (info.firmware) {
-    lines.push_back(printed("firmware: %.0f.%.0f.%.0f", info.firmware->major, info.firmware->minor,
-                            info.firmware->revision));
+    lines.push_back(
+        printed("firmware: %.0f.%.0f.%.0f", info.firmware->major, info.firmware->minor, info.firmware->revision));
   }
   lines.push_back(info.legacy ? "sends MTData (MTi, MTx, MTi-G)" : "sends MTData2");
 }

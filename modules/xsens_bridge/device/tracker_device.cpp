@@ -16,7 +16,7 @@ namespace {
 constexpr Utime kFirstPause = kMicrosecondsPerSecond / 4;
 constexpr Utime kLongestPause = 4 * kMicrosecondsPerSecond;
 constexpr Utime kBaudPatience = 3 * kMicrosecondsPerSecond / 2;  // To hear anything at one rate.
-constexpr int kBitsPerByte = 10;  // On the line: start bit, eight bits, stop bit.
+constexpr int kBitsPerByte = 10;                                 // On the line: start bit, eight bits, stop bit.
 // The factory's first, then what public drivers set.
 constexpr std::array kBauds = {115200, 460800, 921600, 230400, 57600, 38400, 19200, 9600};
 

@@ -29,8 +29,8 @@ struct TrackerNews {
   std::vector<std::string> notes;      ///< What a person should know, a line each.
 };
 
-/// A tracker that is kept running: its port opened, its rate found out, set up, and all of that anew with growing pauses
-/// whenever it is gone, absent, slow or silent. Never throws for what the tracker does.
+/// A tracker that is kept running: its port opened, its rate found out, set up, and all of that anew with growing
+/// pauses whenever it is gone, absent, slow or silent. Never throws for what the tracker does.
 class TrackerDevice {
  public:
   TrackerDevice(const TrackerAddress& address, const TrackerConfig& config, const TrackerAccuracy& accuracy = {});

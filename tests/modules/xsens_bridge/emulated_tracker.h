@@ -39,7 +39,7 @@ class EmulatedTracker {
     return xsens::make_frame(xsens::kWakeUp);
   }
 
-  int late_answers = 0;     ///< So many measurements come before the answer to GoToConfig.
+  int late_answers = 0;      ///< So many measurements come before the answer to GoToConfig.
   std::uint8_t refused = 0;  ///< A message that is answered with error 33.
 
  private:
@@ -52,24 +52,36 @@ class EmulatedTracker {
   Bytes answer_one(const xsens::Message& request) {
     if (refused != 0 && request.mid == refused) return xsens::set_number(xsens::kError, 33, 1);
     switch (request.mid) {
-      case xsens::kGoToConfig: return go_to_config(request);
-      case xsens::kGoToMeasurement: measuring_ = true; return acknowledge(request);
-      case xsens::kReqDeviceId: return acknowledge(request, {0x03, 0x68, 0x24, 0x8C});
-      case xsens::kReqProductCode: return acknowledge(request, product_code());
-      case xsens::kReqFirmware: return acknowledge(request, {1, 8, 2});
+      case xsens::kGoToConfig:
+        return go_to_config(request);
+      case xsens::kGoToMeasurement:
+        measuring_ = true;
+        return acknowledge(request);
+      case xsens::kReqDeviceId:
+        return acknowledge(request, {0x03, 0x68, 0x24, 0x8C});
+      case xsens::kReqProductCode:
+        return acknowledge(request, product_code());
+      case xsens::kReqFirmware:
+        return acknowledge(request, {1, 8, 2});
       case xsens::kSetOutputConfiguration:
         if (legacy_) return xsens::set_number(xsens::kError, 4, 1);
         return acknowledge(request, request.data);
-      case xsens::kSetOutputMode: mode_ = request.data; return acknowledge(request);
+      case xsens::kSetOutputMode:
+        mode_ = request.data;
+        return acknowledge(request);
       case xsens::kSetOutputSettings:
         settings_ = request.data;
         length_ = 54;
         return acknowledge(request);
-      case xsens::kReqConfiguration: return acknowledge(request, configuration());
+      case xsens::kReqConfiguration:
+        return acknowledge(request, configuration());
       case xsens::kSetPeriod:
-      case xsens::kSetOutputSkipFactor: return acknowledge(request);
-      case xsens::kWakeUpAck: return {};
-      default: return xsens::set_number(xsens::kError, 4, 1);
+      case xsens::kSetOutputSkipFactor:
+        return acknowledge(request);
+      case xsens::kWakeUpAck:
+        return {};
+      default:
+        return xsens::set_number(xsens::kError, 4, 1);
     }
   }
 

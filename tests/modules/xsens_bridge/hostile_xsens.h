@@ -17,8 +17,8 @@ namespace scanway::test {
 /// A message with counter, quaternion and status.
 inline Bytes small_mtdata2(std::uint16_t counter) {
   Bytes data{0x10, 0x20, 2, static_cast<std::uint8_t>(counter >> 8), static_cast<std::uint8_t>(counter)};
-  const Bytes rest{0x20, 0x10, 16, 0x3F, 0x71, 0xCE, 0x6C, 0xBE, 0xA5, 0x6B, 0xCF, 0x3C, 0x61, 0x3B,
-                   0xD8, 0xBD, 0x69, 0x1D, 0x25, 0xE0, 0x20, 4,    0,    0x40, 0,    3};
+  const Bytes rest{0x20, 0x10, 16,   0x3F, 0x71, 0xCE, 0x6C, 0xBE, 0xA5, 0x6B, 0xCF, 0x3C, 0x61,
+                   0x3B, 0xD8, 0xBD, 0x69, 0x1D, 0x25, 0xE0, 0x20, 4,    0,    0x40, 0,    3};
   data.insert(data.end(), rest.begin(), rest.end());
   return xsens::make_frame(xsens::kMtData2, data);
 }
@@ -96,7 +96,8 @@ inline void try_random_xsens_streams(int count, std::uint64_t seed) {
   for (int i = 0; i < count; ++i) {
     Bytes stream = random_bytes(1 + random.below(300), random);
     for (auto& byte : stream) {
-      if (random.below(4) == 0) byte = static_cast<std::uint8_t>("\xFA\xFF\x36\x32\x04\x10\x20\xFA\xFF\x42"[random.below(10)]);
+      if (random.below(4) == 0)
+        byte = static_cast<std::uint8_t>("\xFA\xFF\x36\x32\x04\x10\x20\xFA\xFF\x42"[random.below(10)]);
     }
     FrameFinder finder = xsens::make_frame_finder();
     std::uint64_t covered = 0;

@@ -147,8 +147,11 @@ TEST(CommandVectors, EveryFrameIsReadInItsDialect) {
 TEST(CommandVectors, AnswersAreReadInBothDialects) {
   SKIP_WITHOUT_LMS_DATA();
   using sick::Fields;
-  const Fields mode{{"frequency_centihz", 2500}, {"areas", 1}, {"resolution_1e4_deg", 1667},
-                    {"start_angle_1e4_deg", -50000}, {"stop_angle_1e4_deg", 1850000}};
+  const Fields mode{{"frequency_centihz", 2500},
+                    {"areas", 1},
+                    {"resolution_1e4_deg", 1667},
+                    {"start_angle_1e4_deg", -50000},
+                    {"stop_angle_1e4_deg", 1850000}};
   EXPECT_EQ(described("setscancfg_25hz_01667_req", Dialect::cola_b), mode);
   EXPECT_EQ(described("setscancfg_25hz_01667_req", Dialect::cola_a), mode);
   EXPECT_EQ(described("setscancfg_25hz_01667_req_hex", Dialect::cola_a), mode);

@@ -129,9 +129,9 @@ TEST(Dialogue, FollowsSicksOrderAndLeavesARightScanModeAlone) {
   talk(dialogue, device, now, 4 * kSecond);
   const auto login = std::find(device.asked.begin(), device.asked.end(), "sMN SetAccessMode");
   const std::vector<std::string> settings(login, device.asked.end());
-  EXPECT_EQ(settings, (std::vector<std::string>{"sMN SetAccessMode", "sWN FREchoFilter", "sWN LMDscandatacfg",
-                                                "sWN LMPoutputRange", "sMN LMCstartmeas", "sMN Run",
-                                                "sEN LMDscandata"}));
+  EXPECT_EQ(settings,
+            (std::vector<std::string>{"sMN SetAccessMode", "sWN FREchoFilter", "sWN LMDscandatacfg",
+                                      "sWN LMPoutputRange", "sMN LMCstartmeas", "sMN Run", "sEN LMDscandata"}));
 }
 
 TEST(Dialogue, SetsAScanModeThatIsNotRight) {

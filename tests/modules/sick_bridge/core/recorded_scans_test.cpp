@@ -8,7 +8,9 @@ namespace {
 
 using nlohmann::json;
 
-std::uint16_t bits_of(const json& pair) { return static_cast<std::uint16_t>(pair[0].get<int>() + 256 * pair[1].get<int>()); }
+std::uint16_t bits_of(const json& pair) {
+  return static_cast<std::uint16_t>(pair[0].get<int>() + 256 * pair[1].get<int>());
+}
 
 template <class Part>
 std::vector<std::uint16_t> ends(const std::vector<std::uint16_t>& counts, Part size, bool last) {
@@ -39,8 +41,13 @@ void expect_channel(const sick::ScanChannel& channel, const json& said) {
 }
 
 void expect_date(const sick::DeviceDate& date, const json& said) {
-  EXPECT_EQ(json({{"year", date.year}, {"month", date.month}, {"day", date.day}, {"hour", date.hour},
-                  {"minute", date.minute}, {"second", date.second}, {"us", date.microsecond}}),
+  EXPECT_EQ(json({{"year", date.year},
+                  {"month", date.month},
+                  {"day", date.day},
+                  {"hour", date.hour},
+                  {"minute", date.minute},
+                  {"second", date.second},
+                  {"us", date.microsecond}}),
             said);
 }
 

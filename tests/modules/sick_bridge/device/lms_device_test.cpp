@@ -87,8 +87,9 @@ TEST(LmsDevice, TheRecordedLms511OverASocket) {
   EXPECT_TRUE(device.measuring());
   EXPECT_EQ(news.scans[0].scan.telegram_counter, 54098);
   // Each was measured some 41 ms before the device sent it, and it was sent before it came.
-  const Utime now = std::chrono::duration_cast<std::chrono::microseconds>(
-                        std::chrono::system_clock::now().time_since_epoch()).count();
+  const Utime now =
+      std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::system_clock::now().time_since_epoch())
+          .count();
   for (const auto& timed : news.scans) {
     EXPECT_LT(timed.utime, now - (timed.scan.transmission_time_us - timed.scan.start_time_us) + 1);
     EXPECT_GT(timed.utime, now - 60 * kMicrosecondsPerSecond);

@@ -53,9 +53,9 @@ void expect_scan(const Json& line, const Json& said, const char* dialect) {
 
 TEST(DecodeLms, RecordedScansInTheirKeys) {
   SKIP_WITHOUT_DATA();
-  for (const char* name : {"lms511_colab_25hz_0.1667_scan_a", "lms511_colab_25hz_0.1667_scan_b",
-                           "lms511_colab_25hz_0.1667_status_not_ok", "lms111_colab_50hz_0.5_no_rssi",
-                           "lms511_colaa_25hz_0.1667_scan_a_transcoded"}) {
+  for (const char* name :
+       {"lms511_colab_25hz_0.1667_scan_a", "lms511_colab_25hz_0.1667_scan_b", "lms511_colab_25hz_0.1667_status_not_ok",
+        "lms111_colab_50hz_0.5_no_rssi", "lms511_colaa_25hz_0.1667_scan_a_transcoded"}) {
     const auto lines = decode(recorded(std::string(name) + ".bin"));
     ASSERT_EQ(lines.size(), 1U) << name;
     const Json side = Json::parse(recorded(std::string(name) + ".bin.json"));
@@ -107,14 +107,16 @@ TEST(DecodeLms, DialoguesByCommandAndName) {
   std::size_t count = 0;
   for (std::string line; std::getline(session, line); ++count) {
     const std::string hex = Json::parse(line)["hex"];
-    for (std::size_t i = 0; i < hex.size(); i += 2) stream += static_cast<char>(std::stoi(hex.substr(i, 2), nullptr, 16));
+    for (std::size_t i = 0; i < hex.size(); i += 2)
+      stream += static_cast<char>(std::stoi(hex.substr(i, 2), nullptr, 16));
   }
   const auto lines = decode(stream);
   ASSERT_EQ(lines.size(), count);
   EXPECT_EQ(lines[1]["type"], "sAN");
   EXPECT_EQ(lines[1]["name"], "SetAccessMode");
   EXPECT_EQ(lines[1]["accepted"], 1);
-  EXPECT_EQ(std::count_if(lines.begin(), lines.end(), [](const Json& line) { return line["type"] == "LMDscandata"; }), 5);
+  EXPECT_EQ(std::count_if(lines.begin(), lines.end(), [](const Json& line) { return line["type"] == "LMDscandata"; }),
+            5);
   EXPECT_EQ(std::count_if(lines.begin(), lines.end(), [](const Json& line) { return line["type"] == "bad"; }), 0);
 }
 

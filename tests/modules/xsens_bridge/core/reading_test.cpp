@@ -62,9 +62,9 @@ TEST(Reading, EveryEarthFrameBecomesOneWithZUp) {
     Numbers q;
     Eigen::Vector3d sensor_up;
   };
-  for (const Case& known : {Case{EarthFrame::enu, {half, 0, 0, half}, {0, 0, 1}},
-                            Case{EarthFrame::nwu, {1, 0, 0, 0}, {0, 0, 1}},
-                            Case{EarthFrame::ned, {1, 0, 0, 0}, {0, 0, -1}}}) {
+  for (const Case& known :
+       {Case{EarthFrame::enu, {half, 0, 0, half}, {0, 0, 1}}, Case{EarthFrame::nwu, {1, 0, 0, 0}, {0, 0, 1}},
+        Case{EarthFrame::ned, {1, 0, 0, 0}, {0, 0, -1}}}) {
     const auto q = orientation({item_of(Quantity::quaternion, known.q, known.frame)});
     EXPECT_LT((q * Eigen::Vector3d(1, 0, 0) - north).norm(), 1e-12);
     EXPECT_LT((q * known.sensor_up - up).norm(), 1e-12);
@@ -73,7 +73,8 @@ TEST(Reading, EveryEarthFrameBecomesOneWithZUp) {
 
 TEST(Reading, GravityPointsUpInRecordedMessages) {
   SKIP_WITHOUT_XSENS_FACTS();
-  for (const char* name : {"mti300_mdata2_full", "legacy_mtig_MTData_calib_quat_counter", "legacy_mti_MTData_acc_gyr_euler"}) {
+  for (const char* name :
+       {"mti300_mdata2_full", "legacy_mtig_MTData_calib_quat_counter", "legacy_mti_MTData_acc_gyr_euler"}) {
     const auto message = xsens_message(name);
     const auto items = message.mid == xsens::kMtData2
                            ? xsens::parse_mtdata2(message.data)

@@ -41,10 +41,13 @@ json value_of(const Item& item) {
     return numbers->size() == 1 ? json((*numbers)[0]) : json(*numbers);
   }
   if (const auto* integer = std::get_if<std::uint32_t>(&item.value)) return *integer;
-  if (const auto* field = std::get_if<xsens::BitField>(&item.value)) return printed("0x%0*X", field->digits, field->bits);
+  if (const auto* field = std::get_if<xsens::BitField>(&item.value))
+    return printed("0x%0*X", field->digits, field->bits);
   if (const auto* utc = std::get_if<xsens::UtcTime>(&item.value)) {
-    return {{"ns", utc->nanosecond}, {"year", utc->year},     {"month", utc->month},   {"day", utc->day},
-            {"hour", utc->hour},     {"minute", utc->minute}, {"second", utc->second}, {"flags", printed("0x%0*X", 2, utc->flags)}};
+    return {{"ns", utc->nanosecond}, {"year", utc->year},
+            {"month", utc->month},   {"day", utc->day},
+            {"hour", utc->hour},     {"minute", utc->minute},
+            {"second", utc->second}, {"flags", printed("0x%0*X", 2, utc->flags)}};
   }
   return hex_of(std::get<xsens::Bytes>(item.value));
 }
@@ -175,8 +178,13 @@ TEST(Vectors, RequestsAreMadeToTheByte) {
   EXPECT_EQ(xsens::set_number(xsens::kSetOutputSettings, 1, 4), hex("derived_SetOutputSettings_quat_counter"));
   EXPECT_EQ(xsens::set_number(xsens::kSetOutputSkipFactor, 0, 2), hex("derived_SetOutputSkipFactor_0"));
   EXPECT_EQ(xsens::set_number(xsens::kSetBaudrate, 0x80, 1), hex("vendor_SetBaudrate_921600"));
-  EXPECT_EQ(xsens::set_output_configuration({{0x1020, 0xFFFF}, {0x1060, 0xFFFF}, {0x2010, 100}, {0x2030, 100},
-                                             {0x4020, 100}, {0x8020, 100}, {0xE020, 0xFFFF}}),
+  EXPECT_EQ(xsens::set_output_configuration({{0x1020, 0xFFFF},
+                                             {0x1060, 0xFFFF},
+                                             {0x2010, 100},
+                                             {0x2030, 100},
+                                             {0x4020, 100},
+                                             {0x8020, 100},
+                                             {0xE020, 0xFFFF}}),
             hex("derived_SetOutputConfiguration_quat_euler_counter_time_status_100Hz"));
 }
 
@@ -200,9 +208,9 @@ TEST(Vectors, ResynchronisationStream) {
 
 TEST(Items, TheSizeByteDecidesNotTheIdentifier) {
   // A pressure tagged double that carries 4 bytes, as recorded; a float tagged double; and one whose size fits nothing.
-  const auto items = xsens::parse_mtdata2(std::vector<std::uint8_t>{0x30, 0x13, 4, 0, 1, 0x86, 0xE1,   //
-                                                                    0x08, 0x13, 4, 0x42, 0x16, 0x80, 0,  //
-                                                                    0x08, 0x10, 3, 1, 2, 3});
+  const auto items = xsens::parse_mtdata2(std::vector<std::uint8_t>{0x30, 0x13, 4, 0,    1,    0x86, 0xE1,  //
+                                                                    0x08, 0x13, 4, 0x42, 0x16, 0x80, 0,     //
+                                                                    0x08, 0x10, 3, 1,    2,    3});
   EXPECT_EQ(std::get<std::uint32_t>(items[0].value), 100065U);
   EXPECT_EQ(std::get<xsens::Numbers>(items[1].value), xsens::Numbers{37.625});
   EXPECT_EQ(items[2].name, "unknown");

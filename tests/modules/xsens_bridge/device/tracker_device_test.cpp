@@ -74,8 +74,9 @@ TEST(TrackerDevice, MeasuresOverATerminal) {
     EXPECT_EQ(device.dialogue()->info().legacy, legacy);
     // The new one's measurements hold its orientation; the old one's are zeros, which are no rotation.
     EXPECT_EQ(news.readings.back().reading.q_world_sensor.has_value(), !legacy);
-    const Utime now = std::chrono::duration_cast<std::chrono::microseconds>(
-                          std::chrono::system_clock::now().time_since_epoch()).count();
+    const Utime now =
+        std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::system_clock::now().time_since_epoch())
+            .count();
     EXPECT_LE(news.readings.back().utime, now);
   }
 }
