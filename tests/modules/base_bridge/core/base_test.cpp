@@ -2,51 +2,15 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <limits>
 
-#include "tests/modules/base_bridge/test_robot.h"
+#include "tests/modules/base_bridge/core/bench.h"
 
 namespace scanway {
 namespace {
 
-using erratic::Base;
-using erratic::BaseEvent;
+using test::Bench;
 using Kind = erratic::BaseEvent::Kind;
-
-struct Bench {
-  explicit Bench(int baud = 38400) { robot.baud = baud; }
-
-  void step() {
-    base.receive(robot.run(now), now);
-    base.tick(now);
-    for (erratic::Packet packet = base.next_packet(now); !packet.empty(); packet = base.next_packet(now)) {
-      sent.push_back(now);
-      base.receive(robot.receive(packet, base.baud()), now);
-    }
-    for (auto& event : base.take_events()) events.push_back(std::move(event));
-    now += 1000;
-  }
-
-  void run(double seconds) {
-    for (const Utime end = now + static_cast<Utime>(seconds * 1e6); now < end;) step();
-  }
-
-  bool get_ready() {
-    for (int i = 0; i < 10'000 && !base.ready(); ++i) step();
-    return base.ready();
-  }
-
-  long count(Kind kind) const {
-    return std::count_if(events.begin(), events.end(), [&](const BaseEvent& event) { return event.kind == kind; });
-  }
-
-  Utime now = 5'000'000;
-  test::TestRobot robot;
-  Base base;
-  std::vector<BaseEvent> events;
-  std::vector<Utime> sent;
-};
 
 TEST(Base, FindsTheRobotAtEitherBaudRate) {
   for (const int baud : {38400, 115200}) {

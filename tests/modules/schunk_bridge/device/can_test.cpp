@@ -1,27 +1,16 @@
 // The bridge's device against two test modules over a real vcan0.
 
-#include <linux/can.h>
-#include <linux/can/raw.h>
-#include <linux/sockios.h>
-#include <net/if.h>
-#include <poll.h>
-#include <sys/ioctl.h>
-#include <sys/socket.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
-#include <cerrno>
 #include <cstdlib>
-#include <mutex>
 #include <thread>
 
 #include "common/files/input_error.h"
 #include "modules/schunk_bridge/device/pan_tilt_driver.h"
-#include "tests/modules/schunk_bridge/support/test_module.h"
+#include "tests/modules/schunk_bridge/device/vcan_bench.h"
 #include "tests/support/command.h"
 
 namespace scanway {
@@ -30,115 +19,11 @@ namespace {
 using schunk::Axis;
 using schunk::Event;
 using schunk::PanTiltDriver;
+using test::PlainSocket;
+using test::Program;
+using test::Responder;
 using test::TestFrame;
 using test::TestModule;
-
-/// A plain CAN socket on vcan0 that has nothing of the bridge's.
-class PlainSocket {
- public:
-  PlainSocket() : socket_(socket(PF_CAN, SOCK_RAW | SOCK_NONBLOCK, CAN_RAW)) {
-    sockaddr_can address{};
-    address.can_family = AF_CAN;
-    address.can_ifindex = static_cast<int>(if_nametoindex("vcan0"));
-    if (socket_ >= 0) bound_ = bind(socket_, reinterpret_cast<sockaddr*>(&address), sizeof address) == 0;
-    last_time();  // From the first time that it is asked, the kernel keeps times.
-  }
-  ~PlainSocket() {
-    if (socket_ >= 0) close(socket_);
-  }
-  PlainSocket(const PlainSocket&) = delete;
-  PlainSocket& operator=(const PlainSocket&) = delete;
-
-  bool usable() const { return bound_ && if_nametoindex("vcan0") != 0; }
-
-  bool receive(TestFrame& frame, int timeout_ms) {
-    pollfd waiting{socket_, POLLIN, 0};
-    can_frame raw{};
-    if (poll(&waiting, 1, timeout_ms) <= 0 || read(socket_, &raw, sizeof raw) != sizeof raw) return false;
-    frame = {static_cast<std::uint16_t>(raw.can_id & CAN_SFF_MASK), {raw.data, raw.data + raw.len}};
-    return true;
-  }
-
-  /// When the kernel got the frame that was received last.
-  Utime last_time() const {
-    timeval time{};
-    ioctl(socket_, SIOCGSTAMP, &time);
-    return time.tv_sec * kMicrosecondsPerSecond + time.tv_usec;
-  }
-
-  void send(const TestFrame& frame) {
-    can_frame raw{};
-    raw.can_id = frame.id;
-    raw.len = static_cast<std::uint8_t>(frame.bytes.size());
-    std::copy(frame.bytes.begin(), frame.bytes.end(), raw.data);
-    while (write(socket_, &raw, sizeof raw) < 0 && errno == ENOBUFS) usleep(200);
-  }
-
- private:
-  int socket_;
-  bool bound_ = false;
-};
-
-/// Two modules that live on vcan0 in a thread of their own.
-class Responder {
- public:
-  Responder() : thread_([this] { live(); }) {}
-  ~Responder() {
-    end_ = true;
-    thread_.join();
-  }
-  /// Looks at or changes the modules between two of their steps.
-  template <class Touch>
-  auto with(const Touch& touch) {
-    const std::lock_guard lock(mutex_);
-    return touch(pan_, tilt_);
-  }
-
- private:
-  void live() {
-    TestFrame frame;
-    while (!end_) {
-      const bool came = socket_.receive(frame, 1);
-      const std::lock_guard lock(mutex_);
-      for (TestModule* module : {&pan_, &tilt_}) {
-        const Utime now = PanTiltDriver::now();
-        if (came) answer(module->handle(frame, now));
-        answer(module->run(now));
-      }
-    }
-  }
-  void answer(const std::vector<TestFrame>& frames) {
-    for (const TestFrame& frame : frames) socket_.send(frame);
-  }
-
-  PlainSocket socket_;
-  std::mutex mutex_;
-  TestModule pan_{11, TestModule::kDegrees, true}, tilt_{12, TestModule::kDegrees, true};
-  std::atomic<bool> end_{false};
-  std::thread thread_;
-};
-
-/// Another program for a while.
-class Program {
- public:
-  Program(const std::vector<std::string>& words, const std::string& out) {
-    child_ = fork();
-    if (child_ != 0) return;
-    std::vector<char*> pointers;
-    for (const std::string& word : words) pointers.push_back(const_cast<char*>(word.c_str()));
-    pointers.push_back(nullptr);
-    if (freopen(out.c_str(), "w", stdout) == nullptr) _exit(126);
-    execvp(pointers[0], pointers.data());
-    _exit(127);
-  }
-  void end() {
-    kill(child_, SIGTERM);
-    waitpid(child_, nullptr, 0);
-  }
-
- private:
-  pid_t child_;
-};
 
 class Can : public testing::Test {
  protected:
