@@ -9,7 +9,7 @@ void MemoryBus::publish(std::string_view channel, std::span<const std::uint8_t> 
 }
 
 void MemoryBus::subscribe(std::string_view channel, Handler handler) {
-  subscriptions_.push_back({std::string(channel), std::move(handler)});
+  subscriptions_.add(channel, std::move(handler));
 }
 
 std::size_t MemoryBus::dispatch() {
@@ -18,11 +18,7 @@ std::size_t MemoryBus::dispatch() {
     const Waiting message = std::move(waiting_.front());
     waiting_.pop_front();
     ++delivered;
-    const std::size_t subscribed = subscriptions_.size();  // Who subscribes in a handler gets the next message on.
-    for (std::size_t i = 0; i < subscribed; ++i) {
-      if (subscriptions_[i].channel != message.channel) continue;
-      subscriptions_[i].handler({message.channel, message.bytes, message.utime});
-    }
+    subscriptions_.deliver({message.channel, message.bytes, message.utime});
   }
   return delivered;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/bus/bus.h"
+#include "common/bus/subscriptions.h"
 
 namespace scanway {
 
@@ -25,13 +26,9 @@ class MemoryBus : public Bus {
     std::vector<std::uint8_t> bytes;
     Utime utime;
   };
-  struct Subscription {
-    std::string channel;
-    Handler handler;
-  };
 
   std::deque<Waiting> waiting_;
-  std::deque<Subscription> subscriptions_;  // A deque: handlers stay in place while they subscribe others.
+  Subscriptions subscriptions_;
 };
 
 }  // namespace scanway

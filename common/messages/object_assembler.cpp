@@ -60,6 +60,11 @@ bool ObjectAssembler::settled(const piece_t& piece) {
   return true;
 }
 
+bool ObjectAssembler::has(const std::string& key, std::int64_t version) const {
+  const auto done = done_.find(key);
+  return done != done_.end() && done->second.version >= version;
+}
+
 ObjectAssembler::Waiting::iterator ObjectAssembler::keep(const piece_t& piece) {
   const auto [waiting, founded] = waiting_.try_emplace(
       Header(piece.key, piece.version, piece.digest, piece.utime, piece.total_bytes, piece.coding, piece.npieces));

@@ -55,6 +55,8 @@ class ObjectAssembler {
   std::optional<Object> add(const piece_t& piece);
   /// What waits for pieces, in the order of key and version.
   std::vector<IncompleteObject> incomplete() const;
+  /// Whether this version of the key, or a newer one, came out (and is still remembered).
+  bool has(const std::string& key, std::int64_t version) const;
   const AssemblerCounters& counters() const { return counters_; }
 
  private:

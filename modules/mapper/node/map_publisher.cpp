@@ -52,8 +52,7 @@ void MapPublisher::publish_tiles(const CostMap& map, const MapChange& change, Ut
       continue;
     }
     const auto bytes = encode(to_message(tile, found->second, version, utime));
-    const std::uint64_t name =
-        publish_object(bus_, channel::kCostMapTile, bytes, tile_key(tile), version, utime);
+    const std::uint64_t name = publish_object(bus_, channel::kCostMapTile, bytes, tile_key(tile), version, utime);
     cost_tile_entry_t& entry = tiles_[tile];
     entry.tile_x = tile.x;
     entry.tile_y = tile.y;

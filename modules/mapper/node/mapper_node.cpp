@@ -1,8 +1,13 @@
 #include "modules/mapper/node/mapper_node.h"
 
+#include <fmt/format.h>
+
+#include <span>
 #include <utility>
 
 #include "common/bus/channels.h"
+#include "common/bus/log_reader.h"
+#include "common/files/input_error.h"
 #include "common/messages/bad_message.h"
 #include "common/messages/codec.h"
 #include "common/messages/digest.h"
@@ -78,13 +83,17 @@ std::map<std::string, std::int64_t> MapperNode::counters() const {
           {"mapper_repeated_pieces", static_cast<std::int64_t>(pieces.repeated_pieces)},
           {"mapper_incomplete_sweeps", static_cast<std::int64_t>(sweeps_.incomplete().size())},
           {"mapper_late_imu", static_cast<std::int64_t>(inputs_.late(kImuInput))},
-          {"mapper_late_sweeps", static_cast<std::int64_t>(inputs_.late(kSweepInput))}};
+          {"mapper_late_sweeps", static_cast<std::int64_t>(inputs_.late(kSweepInput))},
+          {"mapper_sweeps_settled_in_silence", settled_in_silence_},
+          {"mapper_sweeps_without_orientation", without_orientation_}};
 }
 
 void MapperNode::take_imu(const BusMessage& message) {
   try {
     const auto imu = decode<bot_core::ins_t>(message.bytes);
-    inputs_.add(kImuInput, imu.utime, Orientation{imu.utime, orientation_of(imu), digest(message.bytes)});
+    const Orientation arrived{imu.utime, orientation_of(imu), {message.bytes.begin(), message.bytes.end()}};
+    ++news_;
+    if (inputs_.add(kImuInput, imu.utime, arrived)) arrived_orientation_ = arrived;
   } catch (const BadMessage&) {
     ++bad_messages_;
   }
@@ -92,11 +101,17 @@ void MapperNode::take_imu(const BusMessage& message) {
 
 void MapperNode::take_piece(const BusMessage& message) {
   try {
-    const std::optional<Object> object = sweeps_.add(decode<piece_t>(message.bytes));
+    const auto piece = decode<piece_t>(message.bytes);
+    ++news_;
+    std::optional<Object> object = sweeps_.add(piece);
     if (!object) return;
     Sweep sweep = to_sweep(decode<sweep_t>(object->bytes));
     const Utime utime = sweep.utime;
-    inputs_.add(kSweepInput, utime, ArrivedSweep{std::move(sweep), object->digest});
+    object->utime = utime;
+    // A tracker that is heard again after the sweep says what orientation it had; until then this one is the best.
+    if (!arrived_orientation_ || arrived_orientation_->utime <= utime) keep(*object, arrived_orientation_);
+    if (store_ == nullptr) object->bytes = {};
+    inputs_.add(kSweepInput, utime, ArrivedSweep{std::move(sweep), std::move(*object)});
   } catch (const BadMessage&) {
     ++bad_messages_;
   }
@@ -113,22 +128,83 @@ void MapperNode::work_on(Input&& input) {
 void MapperNode::add_sweep(ArrivedSweep&& arrived) {
   if (orientation_ && arrived.sweep.utime - orientation_->utime > kMaxOrientationAge) orientation_.reset();
   if (orientation_) arrived.sweep.R_world_sweep = orientation_->R_world_sweep;
+  if (!orientation_) ++without_orientation_;
   bus_.publish(channel::kSweepInputs.name, encode(inputs_of(arrived)), arrived.sweep.utime);
-  publish_result(mapper_.add(arrived.sweep, stages_), arrived.sweep);
+  keep(arrived.object, orientation_);
+  const SweepResult result = mapper_.add(arrived.sweep, stages_);
+  if (store_ != nullptr && result.verdict != Verdict::accepted) store_->drop(arrived.object);
+  publish_result(result, arrived.sweep);
+}
+
+void MapperNode::keep(const Object& sweep, const std::optional<Orientation>& orientation) {
+  if (store_ == nullptr) return;
+  try {
+    store_->keep(sweep,
+                 orientation ? std::span<const std::uint8_t>(orientation->message) : std::span<const std::uint8_t>());
+    store_trouble_.clear();
+  } catch (const InputError& error) {
+    store_trouble_ = std::string("sweeps are not kept: ") + error.what();
+  }
+}
+
+void MapperNode::restore(const SweepStore& store) {
+  for (const std::string& path : store.logs()) {
+    try {
+      LogReader log(path);
+      while (const auto event = log.next()) {
+        const BusMessage message{event->channel, event->bytes, event->utime};
+        if (event->channel == channel::kImu.name) take_imu(message);
+        if (event->channel == channel::kSweep.name) take_piece(message);
+      }
+      if (!log.trouble().empty()) store_trouble_ = path + ": " + log.trouble();
+    } catch (const InputError& error) {
+      store_trouble_ = error.what();
+    }
+    inputs_.flush();
+  }
+  store_ = &store;
+}
+
+void MapperNode::settle() {
+  settled_in_silence_ += static_cast<std::int64_t>(inputs_.waiting());
+  inputs_.flush();
+}
+
+map_state_t MapperNode::state() const {
+  map_state_t state{};
+  state.utime = map_utime_;
+  state.map_version = static_cast<std::int64_t>(mapper_.map().version());
+  state.map_digest = publisher_.cost_map_digest();
+  state.settled = inputs_.waiting() == 0 && sweeps_.incomplete().empty();
+  return state;
+}
+
+std::string MapperNode::summary() const {
+  std::vector<std::string> sentences;
+  if (!store_trouble_.empty()) sentences.push_back(store_trouble_);
+  if (const auto sweeps = sweeps_.incomplete(); !sweeps.empty()) {
+    sentences.push_back(fmt::format("sweep {} lacks {} of {} pieces", sweeps.front().key, sweeps.front().missing_count,
+                                    sweeps.front().npieces));
+  }
+  if (inputs_.waiting() > 0) sentences.push_back("a sweep or orientation waits for later data");
+  if (without_orientation_ > 0) {
+    sentences.push_back(fmt::format("{} sweeps had no orientation (IMU)", without_orientation_));
+  }
+  return fmt::format("{}", fmt::join(sentences, "; "));
 }
 
 sweep_inputs_t MapperNode::inputs_of(const ArrivedSweep& arrived) const {
   sweep_inputs_t message{};
   message.utime = arrived.sweep.utime;
   message.sweep_name = arrived.sweep.name;
-  message.sweep_digest = static_cast<std::int64_t>(arrived.digest);
+  message.sweep_digest = static_cast<std::int64_t>(arrived.object.digest);
   input_span_t imu{};
   imu.channel = channel::kImu.name;
   imu.late_count = static_cast<std::int64_t>(inputs_.late(kImuInput));
   if (orientation_) {
     imu.first_utime = imu.last_utime = orientation_->utime;
     imu.used_count = 1;
-    imu.used_digest = static_cast<std::int64_t>(orientation_->digest);
+    imu.used_digest = static_cast<std::int64_t>(digest(orientation_->message));
   }
   message.inputs.push_back(imu);
   message.ninputs = static_cast<std::int16_t>(message.inputs.size());
@@ -140,6 +216,7 @@ void MapperNode::publish_result(const SweepResult& result, const Sweep& sweep) {
   if (result.verdict != Verdict::accepted) return;
   bus_.publish(channel::kPose.name, encode(pose_message(result.utime, base_pose(result, sweep))), result.utime);
   publisher_.publish(mapper_.map(), result.change, result.utime);
+  map_utime_ = result.utime;
 }
 
 }  // namespace scanway

@@ -13,9 +13,12 @@
 #include "common/bus/ordered_merge.h"
 #include "common/cloud/sweep.h"
 #include "common/messages/object_assembler.h"
+#include "common/messages/objects.h"
 #include "common/progress/stages.h"
 #include "modules/mapper/core/mapper.h"
 #include "modules/mapper/node/map_publisher.h"
+#include "modules/mapper/node/sweep_store.h"
+#include "scanway/map_state_t.hpp"
 #include "scanway/sweep_inputs_t.hpp"
 
 namespace scanway {
@@ -30,6 +33,16 @@ class MapperNode {
   /// No more input will come: what still waits for data with a later time is worked on now.
   void finish() { inputs_.flush(); }
 
+  /// Works on the sweeps that `store` holds, and keeps those that come in it from now on. It must outlive this.
+  void restore(const SweepStore& store);
+  /// Nothing has come for a while, so nothing with an earlier time is on its way: what waits is worked on. What it was
+  /// made of is in SWEEP_INPUTS, as ever.
+  void settle();
+  /// How far the map is (MAP_STATE).
+  map_state_t state() const;
+  std::size_t news() const { return news_; }  ///< Inputs taken so far.
+  std::string summary() const;                ///< What people should know, in one line; empty: nothing.
+
   const Mapper& mapper() const { return mapper_; }
   const MapPublisher& published() const { return publisher_; }
   /// What was bad, late or incomplete so far, by name.
@@ -39,11 +52,11 @@ class MapperNode {
   struct Orientation {
     Utime utime = 0;
     Eigen::Quaterniond R_world_sweep;
-    std::uint64_t digest = 0;
+    std::vector<std::uint8_t> message;
   };
   struct ArrivedSweep {
     Sweep sweep;
-    std::uint64_t digest = 0;
+    Object object;  ///< Its bytes only if they are to be kept.
   };
   using Input = std::variant<Orientation, ArrivedSweep>;
 
@@ -53,6 +66,7 @@ class MapperNode {
   void add_sweep(ArrivedSweep&& arrived);
   sweep_inputs_t inputs_of(const ArrivedSweep& arrived) const;
   void publish_result(const SweepResult& result, const Sweep& sweep);
+  void keep(const Object& sweep, const std::optional<Orientation>& orientation);
 
   Bus& bus_;
   StageListener* stages_;
@@ -60,7 +74,14 @@ class MapperNode {
   MapPublisher publisher_;
   ObjectAssembler sweeps_;
   OrderedMerge<Input> inputs_;
-  std::optional<Orientation> orientation_;  // The newest that the merge let go.
+  std::optional<Orientation> orientation_;          // The newest that the merge let go.
+  std::optional<Orientation> arrived_orientation_;  // The newest that came.
+  const SweepStore* store_ = nullptr;
+  std::string store_trouble_;
+  std::size_t news_ = 0;
+  Utime map_utime_ = 0;  // Of the newest sweep in the map.
+  std::int64_t settled_in_silence_ = 0;
+  std::int64_t without_orientation_ = 0;
   std::int64_t bad_messages_ = 0;
 };
 

@@ -34,6 +34,7 @@ class CostMapReplica {
 
   /// Whether the newest version that was announced is here.
   bool up_to_date() const { return !announced_; }
+  std::int64_t closed_version() const { return closed_version_; }  ///< 0 before the first.
 
  private:
   struct Arrived {
@@ -46,7 +47,7 @@ class CostMapReplica {
   bool holds(const cost_tile_entry_t& entry) const;
 
   std::optional<cost_map_index_t> announced_;  // The newest index, until its tiles are here.
-  std::int64_t closed_version_ = -1;
+  std::int64_t closed_version_ = 0;
   std::map<Cell, std::int64_t> closed_;  // Digest of each tile of the closed version.
   std::map<Cell, Arrived> arrived_;      // Tiles that no closed version holds yet, the newest of each.
 };

@@ -30,60 +30,40 @@ planning::BodyMode mode_of(const Robot& robot) {
   return robot.mapping.embodiment == Embodiment::paper ? planning::BodyMode::paper : planning::BodyMode::footprint;
 }
 
-std::string name_of(planning::BodyMode mode) {
-  switch (mode) {
-    case planning::BodyMode::point: return "point";
-    case planning::BodyMode::paper: return "paper";
-    default: return "footprint";
-  }
-}
-
-void put_result(const planning::PlanResult& result, path_t& message) {
-  message.status = result.reason;
-  for (const planning::PathPose& pose : result.path) {
-    message.pose_x_m.push_back(pose.x_m);
-    message.pose_y_m.push_back(pose.y_m);
-    message.pose_heading_rad.push_back(pose.heading);
-  }
-  message.nposes = static_cast<std::int32_t>(result.path.size());
-  message.length_m = result.length_m;
-  message.clearance_m = result.clearance_m;
-  message.clearance_at_m[0] = result.clearance_at_m.x();
-  message.clearance_at_m[1] = result.clearance_at_m.y();
-  message.unknown_share = result.unknown_share;
-  message.cost = result.cost;
-  message.expansions = static_cast<std::int64_t>(result.effort.expansions);
-}
-
 }  // namespace
 
-PlannerNode::PlannerNode(Bus& bus, const Robot& robot, StageListener* stages)
+PlannerNode::PlannerNode(Bus& bus, const Robot& robot, StageListener* stages, Pace pace)
     : bus_(bus),
       stages_(stages),
-      point_{name_of(planning::BodyMode::point), planning::Planner(robot, planning::BodyMode::point), {}},
-      body_{name_of(mode_of(robot)), planning::Planner(robot, mode_of(robot)), {}},
+      robot_(robot),
+      body_(mode_of(robot)),
       inputs_(merged_channels(), [this](std::size_t, Utime, Input&& input) { work_on(std::move(input)); }) {
+  if (pace == Pace::live) provisional_.emplace(bus, robot, std::vector{planning::BodyMode::point, body_});
   bus_.subscribe(channel::kPose.name, [this](const BusMessage& message) { take_pose(message); });
   bus_.subscribe(channel::kCostMapTile.name, [this](const BusMessage& message) { take_tile(message); });
   bus_.subscribe(channel::kCostMapIndex.name, [this](const BusMessage& message) { take_index(message); });
   bus_.subscribe(channel::kGoal.name, [this](const BusMessage& message) { take_goal(message); });
+  bus_.subscribe(channel::kMapState.name, [this](const BusMessage& message) { take_state(message); });
 }
 
 std::map<std::string, std::int64_t> PlannerNode::counters() const {
-  return {{"planner_bad_messages", bad_messages_},
-          {"planner_bad_pieces", static_cast<std::int64_t>(tiles_.counters().bad_pieces + indices_.counters().bad_pieces)},
-          {"planner_bad_objects",
-           static_cast<std::int64_t>(tiles_.counters().bad_objects + indices_.counters().bad_objects)},
-          {"planner_late_maps", static_cast<std::int64_t>(inputs_.late(kMapInput))},
-          {"planner_late_poses", static_cast<std::int64_t>(inputs_.late(kPoseInput))},
-          {"planner_late_goals", static_cast<std::int64_t>(inputs_.late(kGoalInput))},
-          {"planner_map_behind", replica_.up_to_date() ? 0 : 1}};
+  return {
+      {"planner_bad_messages", bad_messages_},
+      {"planner_bad_pieces", static_cast<std::int64_t>(tiles_.counters().bad_pieces + indices_.counters().bad_pieces)},
+      {"planner_bad_objects",
+       static_cast<std::int64_t>(tiles_.counters().bad_objects + indices_.counters().bad_objects)},
+      {"planner_late_maps", static_cast<std::int64_t>(inputs_.late(kMapInput))},
+      {"planner_late_poses", static_cast<std::int64_t>(inputs_.late(kPoseInput))},
+      {"planner_late_goals", static_cast<std::int64_t>(inputs_.late(kGoalInput))},
+      {"planner_map_behind", replica_.up_to_date() ? 0 : 1}};
 }
 
 void PlannerNode::take_pose(const BusMessage& message) {
   try {
     const auto pose = decode<bot_core::pose_t>(message.bytes);
-    inputs_.add(kPoseInput, pose.utime, Start{pose.utime, pose_of(pose)});
+    if (newest_pose_ == pose.utime) return;  // The mapper says its newest pose again and again.
+    newest_pose_ = pose.utime;
+    take(kPoseInput, pose.utime, Start{pose.utime, pose_of(pose)});
   } catch (const BadMessage&) {
     ++bad_messages_;
   }
@@ -110,7 +90,16 @@ void PlannerNode::take_index(const BusMessage& message) {
 void PlannerNode::take_goal(const BusMessage& message) {
   try {
     const auto goal = decode<goal_t>(message.bytes);
-    inputs_.add(kGoalInput, goal.utime, Goal{goal.utime, goal_of(goal)});
+    take(kGoalInput, goal.utime, Goal{goal.utime, goal_of(goal)});
+  } catch (const BadMessage&) {
+    ++bad_messages_;
+  }
+}
+
+void PlannerNode::take_state(const BusMessage& message) {
+  try {
+    mapper_ = decode<map_state_t>(message.bytes);
+    outdated_ = outdated_ || mapper_->map_version < replica_.closed_version();
   } catch (const BadMessage&) {
     ++bad_messages_;
   }
@@ -119,20 +108,46 @@ void PlannerNode::take_goal(const BusMessage& message) {
 void PlannerNode::take_version(std::optional<ClosedVersion> version) {
   if (!version) return;
   const Utime utime = version->utime;
-  inputs_.add(kMapInput, utime, std::move(*version));
+  take(kMapInput, utime, std::move(*version));
+}
+
+void PlannerNode::take(std::size_t channel, Utime utime, Input input) {
+  ++news_;
+  if (provisional_) std::visit([this](const auto& value) { provisional_->take(value); }, input);
+  // Late is counted, but what is newest is the state of the world all the same: a goal is still the operator's will,
+  // and the next version of the map builds on this one.
+  if (!inputs_.add(channel, utime, input)) work_on(std::move(input));
+  if (provisional_ && inputs_.waiting() > 0) provisional_->plan(replica_.up_to_date());
+}
+
+void PlannerNode::settle() {
+  const std::optional<map_state_t> mapper = std::exchange(mapper_, std::nullopt);
+  if (mapper && mapper->settled && mapper->map_version == replica_.closed_version() && replica_.up_to_date()) {
+    inputs_.flush();
+  }
+}
+
+std::string PlannerNode::summary() const {
+  if (!replica_.up_to_date()) return "the map is behind the mapper's: its tiles are still coming";
+  if (!basis_.goal && !provisional_) return {};
+  if (inputs_.waiting() > 0) return "a plan waits for later data; the provisional one is out";
+  return {};
 }
 
 void PlannerNode::work_on(Input&& input) {
   if (const auto* start = std::get_if<Start>(&input)) {
-    start_ = *start;
+    if (basis_.start && start->utime < basis_.start->utime) return;
+    basis_.start = *start;
     return;  // A pose comes with its version of the map, which is next.
   }
   if (auto* version = std::get_if<ClosedVersion>(&input)) {
     change_map(*version);
     version->changes.clear();
-    version_ = std::move(*version);
+    basis_.version = std::move(*version);
   } else {
-    goal_ = std::get<Goal>(input);
+    const Goal& goal = std::get<Goal>(input);
+    if (basis_.goal && goal.utime < basis_.goal->utime) return;
+    basis_.goal = goal;
   }
   plan();
 }
@@ -140,45 +155,25 @@ void PlannerNode::work_on(Input&& input) {
 void PlannerNode::change_map(const ClosedVersion& version) {
   begin_stage(stages_, "planner_map");
   apply(version, map_);
-  std::vector<Cell> tiles;
-  for (const auto& [tile, cells] : version.changes) tiles.push_back(tile);
-  for (Mode* mode : {&point_, &body_}) {
-    if (version_) {
-      mode->planner.update(map_, tiles);
-    } else {
-      mode->planner.set_map(map_);
-    }
-  }
   begin_stage(stages_, "");
 }
 
 void PlannerNode::plan() {
-  if (!version_ || !start_ || !goal_) return;
-  begin_stage(stages_, "plan");
-  plan(point_);
-  plan(body_);
+  if (!basis_.complete()) return;
+  without_embodiment_ = plan(planning::BodyMode::point);
+  with_embodiment_ = plan(body_);
   begin_stage(stages_, "");
 }
 
-void PlannerNode::plan(Mode& mode) {
-  path_t message = about(mode);
-  put_result(mode.planner.plan(start_->X_map_base.translation().head<2>(), goal_->place), message);
-  publish_object(bus_, channel::kPath, encode(message), mode.name, message.utime, message.utime);
-  mode.newest = std::move(message);
-}
-
-path_t PlannerNode::about(const Mode& mode) const {
-  path_t message{};
-  message.utime = std::max({version_->utime, start_->utime, goal_->utime});
-  message.map_version = version_->version;
-  message.map_digest = version_->digest;
-  message.map_up_to_date = true;
-  message.mode = mode.name;
-  message.start[0] = start_->X_map_base.translation().x();
-  message.start[1] = start_->X_map_base.translation().y();
-  message.start[2] = heading_of(start_->X_map_base.linear());
-  message.goal[0] = goal_->place.x();
-  message.goal[1] = goal_->place.y();
+// A planner of its own each time: among ways of the same cost, one that has planned before may take another.
+path_t PlannerNode::plan(planning::BodyMode mode) {
+  begin_stage(stages_, "planner_map");
+  planning::Planner planner(robot_, mode);
+  planner.set_map(map_);
+  begin_stage(stages_, "plan");
+  path_t message =
+      path_message(basis_, mode, planner.plan(basis_.start->X_map_base.translation().head<2>(), basis_.goal->place));
+  publish_object(bus_, channel::kPath, encode(message), message.mode, message.utime, message.utime);
   return message;
 }
 

@@ -1,0 +1,225 @@
+#include "common/delivery/live_bus.h"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include "common/bus/channels.h"
+#include "common/delivery/kernel_drops.h"
+#include "common/files/input_error.h"
+#include "common/files/printable.h"
+#include "common/messages/codec.h"
+#include "common/messages/layout.h"
+
+namespace scanway {
+namespace {
+
+constexpr SteadyTime kSecond = 1'000'000;
+constexpr SteadyTime kAskEvery = 50'000;
+constexpr auto kPacingWait = std::chrono::milliseconds(2);
+constexpr auto kIdleWait = std::chrono::milliseconds(20);
+
+bool is_cut(std::string_view channel) {
+  const Channel* const known = find_channel(channel);
+  return known != nullptr && known->cut;
+}
+
+const Layout* layout_of(std::string_view channel) {
+  const Channel* const known = find_channel(channel);
+  if (known == nullptr) return nullptr;
+  return find_layout(known->cut ? std::string_view("scanway.piece_t") : known->type);
+}
+
+void add_to(std::string& summary, const std::string& sentence) {
+  if (sentence.empty()) return;
+  if (!summary.empty()) summary += "; ";
+  summary += sentence;
+}
+
+std::int64_t count(std::uint64_t value) { return static_cast<std::int64_t>(value); }
+
+}  // namespace
+
+LiveBus::LiveBus(LcmBus& lcm, Identity who, LiveBusOptions options)
+    : lcm_(lcm),
+      who_(std::move(who)),
+      options_(std::move(options)),
+      sender_([this](std::string_view channel, auto bytes) { lcm_.publish(channel, bytes, 0); }, options_.sender),
+      receiver_([this](const piece_request_t& r) { lcm_.publish(channel::kPieceRequest.name, encode(r), 0); },
+                options_.receiver),
+      drops_before_(kernel_drops()) {
+  listen();
+}
+
+LiveBus::~LiveBus() {
+  ending_ = true;
+  if (thread_.joinable()) thread_.join();
+}
+
+void LiveBus::subscribe(std::string_view channel, Handler handler) {
+  if (thread_.joinable()) throw std::logic_error("LiveBus: subscribe before start");
+  subscriptions_.add(channel, std::move(handler));
+  if (!inputs_.emplace(channel, Input{}).second) return;
+  lcm_.subscribe(channel, [this](const BusMessage& message) { forward(message); });
+}
+
+// What the bus's own thread works on.
+void LiveBus::listen() {
+  const auto guarded = [this](auto handle) {
+    return [this, handle](const BusMessage& message) {
+      Input& input = inputs_.try_emplace(std::string(message.channel)).first->second;
+      if (is_good(message, input)) handle(message.bytes);
+    };
+  };
+  lcm_.subscribe(channel::kPieceRequest.name,
+                 guarded([this](auto bytes) { sender_.answer(decode<piece_request_t>(bytes)); }));
+  lcm_.subscribe(channel::kObjectIndex.name, guarded([this](auto bytes) {
+                   const auto index = decode<object_index_t>(bytes);
+                   if (inputs_.contains(index.channel)) receiver_.hear(index, steady_now());
+                 }));
+  lcm_.subscribe(channel::kHealth.name, guarded([this](auto bytes) {
+                   const Identity other = identity_of(decode<health_t>(bytes));
+                   const std::lock_guard lock(mutex_);
+                   if (is_elder_twin(other, who_)) elder_ = other;
+                 }));
+}
+
+void LiveBus::start() {
+  thread_ = std::thread([this] { run(); });
+}
+
+void LiveBus::refuse_twins(std::chrono::milliseconds wait) {
+  for (const SteadyTime end = steady_now() + wait.count() * 1000; steady_now() < end;) {
+    std::this_thread::sleep_for(kIdleWait);
+    if (const auto other = elder_twin()) {
+      throw InputError("another " + other->text() + " runs on this bus; stop that one, or choose another --lcm-url");
+    }
+  }
+}
+
+void LiveBus::publish(std::string_view channel, std::span<const std::uint8_t> bytes, Utime utime) {
+  if (is_cut(channel)) return sender_.add(channel, decode<piece_t>(bytes), bytes, !held_);
+  if (!held_) lcm_.publish(channel, bytes, utime);
+  if (std::find(options_.repeated.begin(), options_.repeated.end(), channel) == options_.repeated.end()) return;
+  const std::lock_guard lock(mutex_);
+  said_[std::string(channel)].assign(bytes.begin(), bytes.end());
+}
+
+std::size_t LiveBus::dispatch(std::chrono::milliseconds wait) {
+  const auto messages = inbox_.take(wait);
+  for (const Inbox::Waiting& message : messages) subscriptions_.deliver({message.channel, message.bytes, 0});
+  return messages.size();
+}
+
+void LiveBus::report(std::map<std::string, std::int64_t> counters, std::string summary) {
+  const std::lock_guard lock(mutex_);
+  node_counters_ = std::move(counters);
+  node_summary_ = std::move(summary);
+}
+
+std::optional<Identity> LiveBus::elder_twin() const {
+  const std::lock_guard lock(mutex_);
+  return elder_;
+}
+
+void LiveBus::drain(std::chrono::milliseconds wait) const {
+  for (const SteadyTime end = steady_now() + wait.count() * 1000; sender_.waiting() > 0 && steady_now() < end;) {
+    std::this_thread::sleep_for(kIdleWait);
+  }
+}
+
+void LiveBus::run() {
+  SteadyTime next_ask = 0, next_second = 0;
+  while (!ending_) {
+    lcm_.dispatch(sender_.waiting() > 0 ? kPacingWait : kIdleWait);
+    const SteadyTime now = steady_now();
+    sender_.pump(now);
+    if (now >= next_ask) {
+      receiver_.ask(now);
+      next_ask = now + kAskEvery;
+    }
+    if (now >= next_second) {
+      every_second();
+      next_second = std::max(next_second + kSecond, now);
+    }
+  }
+}
+
+void LiveBus::every_second() {
+  lcm_.publish(channel::kHealth.name, encode(to_message(who_, health(), wall_clock())), 0);
+  if (held_) return;
+  sender_.announce(steady_now());
+  const std::lock_guard lock(mutex_);
+  for (const auto& [channel, bytes] : said_) lcm_.publish(channel, bytes, 0);
+}
+
+void LiveBus::forward(const BusMessage& message) {
+  Input& input = inputs_.find(message.channel)->second;
+  if (!is_good(message, input)) return;
+  if (is_cut(message.channel)) receiver_.add(message.channel, decode<piece_t>(message.bytes), steady_now());
+  inbox_.push(message.channel, message.bytes);
+}
+
+bool LiveBus::is_good(const BusMessage& message, Input& input) {
+  const Layout* const layout = layout_of(message.channel);
+  const std::string fault = layout == nullptr ? std::string() : find_fault(*layout, message.bytes);
+  if (fault.empty()) {
+    input.heard = steady_now();
+    return true;
+  }
+  last_fault_ = std::string(message.channel) + ": " + fault;
+  if (++input.bad == 1) {
+    spdlog::warn("{}; refused. If its sender is Scanway, the two are of different versions: build both anew",
+                 printable(last_fault_));
+  }
+  return false;
+}
+
+Health LiveBus::health() {
+  Health health;
+  const SteadyTime now = steady_now();
+  std::int64_t bad = 0;
+  for (const auto& [channel, input] : inputs_) {
+    bad += input.bad;
+    health.input_ages_s[channel] =
+        input.heard == 0 ? std::numeric_limits<double>::quiet_NaN() : to_seconds(now - input.heard);
+  }
+  const SenderCounters sent = sender_.counters();
+  const ReceiverCounters asked = receiver_.counters();
+  const AssemblerCounters pieces = receiver_.pieces();
+  health.counters = {
+      {"bad_messages", bad},
+      {"kernel_drops", kernel_drops() - drops_before_},
+      {"failed_publications", count(lcm_.failed_publications())},
+      {"pieces_received", count(pieces.pieces)},
+      {"pieces_repeated", count(pieces.repeated_pieces)},
+      {"pieces_bad", count(pieces.bad_pieces)},
+      {"objects_bad", count(pieces.bad_objects)},
+      {"objects_crowded_out", count(pieces.crowded_out)},
+      {"gaps", count(asked.gaps)},
+      {"requests_sent", count(asked.requests)},
+      {"repaired", count(asked.repaired)},
+      {"given_up", count(asked.given_up)},
+      {"lacking", count(receiver_.wanted())},
+      {"pieces_sent", count(sent.pieces_sent)},
+      {"pieces_resent", count(sent.pieces_resent)},
+      {"pieces_waiting", count(sender_.waiting())},
+      {"requests_heard", count(sent.requests)},
+      {"requests_unmet", count(sent.requests_unmet)},
+      {"inbox", count(inbox_.size())},
+  };
+  const std::lock_guard lock(mutex_);
+  health.counters.insert(node_counters_.begin(), node_counters_.end());
+  health.summary = node_summary_;
+  add_to(health.summary, lcm_.advice());
+  if (bad > 0) add_to(health.summary, "refused " + std::to_string(bad) + " messages, the last: " + last_fault_);
+  if (!receiver_.up_to_date()) add_to(health.summary, std::to_string(receiver_.wanted()) + " objects not whole yet");
+  if (asked.given_up > 0) add_to(health.summary, std::to_string(asked.given_up) + " objects never became whole");
+  if (elder_) add_to(health.summary, "another " + elder_->text() + " runs on this bus");
+  return health;
+}
+
+}  // namespace scanway

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "common/messages/objects.h"
+
+namespace scanway {
+
+/// Keeps the sweeps that a map is made of, each with the orientation that it was used with, as a small LCM log a sweep.
+/// A mapper that is started again makes the same map of them.
+class SweepStore {
+ public:
+  /// Makes the folder. Throws InputError.
+  explicit SweepStore(std::string folder);
+
+  /// `imu`: the message whose orientation the sweep uses; empty: none. Whole on the disk when this returns. Throws
+  /// InputError.
+  void keep(const Object& sweep, std::span<const std::uint8_t> imu) const;
+  /// The sweep did not get into the map.
+  void drop(const Object& sweep) const;
+
+  /// The logs, in the order of their sweeps' times.
+  std::vector<std::string> logs() const;
+
+ private:
+  std::string path_of(const Object& sweep) const;
+
+  std::string folder_;
+};
+
+}  // namespace scanway

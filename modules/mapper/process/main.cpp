@@ -1,0 +1,65 @@
+/// scanway-mapper: the mapper as a process of its own on LCM's bus.
+
+#include <spdlog/spdlog.h>
+
+#include <optional>
+
+#include "common/bus/channels.h"
+#include "common/bus/lcm_url.h"
+#include "common/config/robot_file.h"
+#include "common/messages/codec.h"
+#include "common/messages/objects.h"
+#include "common/messages/params_message.h"
+#include "common/process/program.h"
+#include "modules/mapper/node/mapper_node.h"
+
+namespace scanway {
+namespace {
+
+constexpr auto kListenForTwins = std::chrono::milliseconds(1500);
+
+/// Makes the map that the process had when it ended; only those who lack it get it again.
+void restore(LiveBus& bus, MapperNode& node, const SweepStore& store) {
+  const std::size_t sweeps = store.logs().size();
+  if (sweeps > 0) spdlog::info("working on {} kept sweeps", sweeps);
+  bus.report({}, fmt::format("working on {} kept sweeps", sweeps));
+  bus.hold(true);
+  node.restore(store);
+  bus.hold(false);
+}
+
+int run(const ProgramOptions& options) {
+  const Robot robot = robot_of(options);
+  const Identity who = this_process("mapper");
+  LcmBus lcm(lcm_url(options.lcm_url));
+  if (!lcm.advice().empty()) spdlog::warn("{}", lcm.advice());
+  LiveBusOptions live = live_bus_options(options);
+  live.repeated = {std::string(channel::kPose.name)};
+  std::optional<SweepStore> store;
+  if (!options.state.empty()) store.emplace(options.state);
+
+  LiveBus bus(lcm, who, live);
+  MapperNode node(bus, robot);
+  bus.start();
+  bus.refuse_twins(kListenForTwins);
+  publish_object(bus, channel::kParams, encode(params_message(who.start, robot_text(robot))), kParamsKey, who.start,
+                 who.start);
+  if (store) restore(bus, node, *store);
+  spdlog::info("ready: map version {}", node.mapper().map().version());
+  serve(bus, {[&node] { return node.news(); }, [&node] { node.settle(); },
+              [&bus, &node] {
+                const map_state_t state = node.state();
+                bus.publish(channel::kMapState.name, encode(state), state.utime);
+                bus.report(node.counters(), node.summary());
+              }});
+  spdlog::info("ended at map version {}", node.mapper().map().version());
+  return 0;
+}
+
+}  // namespace
+}  // namespace scanway
+
+int main(int argc, char** argv) {
+  return scanway::run_program("scanway-mapper", "Sweeps in; a registered map, a cost map and an OctoMap out", argc,
+                              argv, scanway::run);
+}

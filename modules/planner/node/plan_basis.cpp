@@ -1,0 +1,47 @@
+#include "modules/planner/node/plan_basis.h"
+
+#include <algorithm>
+
+namespace scanway {
+
+const char* name_of(planning::BodyMode mode) {
+  switch (mode) {
+    case planning::BodyMode::point:
+      return "point";
+    case planning::BodyMode::paper:
+      return "paper";
+    default:
+      return "footprint";
+  }
+}
+
+path_t path_message(const PlanBasis& basis, planning::BodyMode mode, const planning::PlanResult& result) {
+  path_t message{};
+  message.utime = std::max({basis.version->utime, basis.start->utime, basis.goal->utime});
+  message.map_version = basis.version->version;
+  message.map_digest = basis.version->digest;
+  message.map_up_to_date = true;
+  message.mode = name_of(mode);
+  message.start[0] = basis.start->X_map_base.translation().x();
+  message.start[1] = basis.start->X_map_base.translation().y();
+  message.start[2] = heading_of(basis.start->X_map_base.linear());
+  message.goal[0] = basis.goal->place.x();
+  message.goal[1] = basis.goal->place.y();
+  message.status = result.reason;
+  for (const planning::PathPose& pose : result.path) {
+    message.pose_x_m.push_back(pose.x_m);
+    message.pose_y_m.push_back(pose.y_m);
+    message.pose_heading_rad.push_back(pose.heading);
+  }
+  message.nposes = static_cast<std::int32_t>(result.path.size());
+  message.length_m = result.length_m;
+  message.clearance_m = result.clearance_m;
+  message.clearance_at_m[0] = result.clearance_at_m.x();
+  message.clearance_at_m[1] = result.clearance_at_m.y();
+  message.unknown_share = result.unknown_share;
+  message.cost = result.cost;
+  message.expansions = static_cast<std::int64_t>(result.effort.expansions);
+  return message;
+}
+
+}  // namespace scanway
