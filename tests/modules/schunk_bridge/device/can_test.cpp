@@ -118,7 +118,8 @@ TEST_F(Can, AStopIsOnTheWireWithin20Milliseconds) {
     });
     while (asked == 0) driver.step(5);
     driver.core().stop(PanTiltDriver::now());
-    for (int turn = 0; turn < 4; ++turn) driver.step(5);  // A frame an axis, a millisecond apart.
+    // A frame an axis, a millisecond apart; the loop of the bridge just goes on.
+    for (const Utime end = PanTiltDriver::now() + 10'000; PanTiltDriver::now() < end;) driver.step(5);
     commander.join();
     TestFrame frame;
     Utime seen = 0;
