@@ -46,7 +46,7 @@ std::string Sweep::start(Utime now) {
   for (const Axis* axis : {&tilt_, &pan_}) {
     if (std::string why = why_not(*axis); !why.empty()) return why;
   }
-  const auto [low, high] = std::minmax(config_.start, config_.start + config_.angle);
+  const auto [low, high] = std::minmax({config_.start, config_.start + config_.angle});
   if (low < pan_.low() || high > pan_.high()) return "the sweep goes beyond the limits of the pan axis";
   if (config_.tilt < tilt_.low() || config_.tilt > tilt_.high()) return "the sweep's tilt is beyond the tilt's limits";
   active_config_ = config_;
