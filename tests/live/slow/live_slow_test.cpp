@@ -1,0 +1,117 @@
+// The same with frames lost, links cut and processes killed.
+#include <gtest/gtest.h>
+
+#include "tests/live/support/session.h"
+
+namespace scanway::test {
+namespace {
+
+class LiveSlow : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!namespaces_permitted()) GTEST_SKIP() << "network namespaces are not permitted here (unshare --net)";
+  }
+  // Of what has versions: the newest.
+  static std::string newest(const std::string& lines) {
+    const std::size_t end = lines.find_last_not_of('\n');
+    return end == std::string::npos ? "" : lines.substr(lines.rfind('\n', end) + 1);
+  }
+  void expect_same_end_as_replay() {
+    for (const char* product : {"COST_MAP_INDEX index", "OCTOMAP map", "PATH point", "PATH footprint"}) {
+      EXPECT_EQ(newest(session_.observed(product)), newest(lines_of(ShortLog::get().products, product))) << product;
+    }
+    EXPECT_EQ(session_.observed("COST_MAP_TILE"), lines_of(ShortLog::get().products, "COST_MAP_TILE"));
+    if (HasFailure()) std::puts(session_.told().c_str());
+  }
+  CommandResult run_on_two_machines(const std::vector<std::string>& options, const std::string& meanwhile = "") {
+    return session_.run_on_lan(options, {R"(
+    begin mapper
+    touch "$LAN_DIR/mapper-ready"
+    while [ ! -e "$LAN_DIR/planner-ready" ]; do sleep 0.1; done
+    lcm-logplayer -s 4 "$LOG"
+    wait $pid_mapper)",
+                                         R"(
+    while [ ! -e "$LAN_DIR/mapper-ready" ]; do sleep 0.1; done
+    begin planner
+    "$BIN/scanway-live-tool" observe "$LCM_DEFAULT_URL" 2 150 >"$WORK/observed.txt" 2>"$WORK/observer.err" &
+    pid_observer=$!
+    touch "$LAN_DIR/planner-ready"
+    )" + meanwhile + "\nfinish"});
+  }
+  const Session session_;
+};
+
+class Loss : public LiveSlow, public testing::WithParamInterface<const char*> {};
+
+TEST_P(Loss, IsRepairedAndAddsUp) {
+  const auto played = run_on_two_machines({"-t", "300", "-l", GetParam()});
+  if (played.status == 125) GTEST_SKIP() << "no pretend LAN here: " << played.err;
+  EXPECT_EQ(played.status, 0) << played.err << session_.told();
+  expect_same_end_as_replay();
+  const auto planner = session_.counters("planner"), mapper = session_.counters("mapper");
+  EXPECT_GT(planner.at("repaired"), 0);
+  EXPECT_GE(mapper.at("pieces_resent"), planner.at("repaired"));
+  EXPECT_EQ(planner.at("lacking"), 0);
+  EXPECT_EQ(planner.at("given_up"), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Percent, Loss, testing::Values("1", "5"),
+                         [](const auto& loss) { return "p" + std::string(loss.param); });
+
+TEST_F(LiveSlow, ALinkThatIsCutForTwentySecondsIsMadeUpFor) {
+  const auto played = run_on_two_machines({"-t", "300"}, R"(
+    sleep 5
+    ip link set eth0 down
+    sleep 20
+    ip link set eth0 up
+    ip route add 224.0.0.0/4 dev eth0)");
+  if (played.status == 125) GTEST_SKIP() << "no pretend LAN here: " << played.err;
+  EXPECT_EQ(played.status, 0) << played.err << session_.told();
+  expect_same_end_as_replay();
+}
+
+TEST_F(LiveSlow, AMapperThatIsKilledGoesOnWhereItWas) {
+  const auto played = session_.run(R"(
+    begin mapper
+    begin planner
+    observe 2 200
+    lcm-logplayer -s 4 "$LOG" || exit 1
+    sleep 0.3
+    kill -KILL $pid_mapper
+    wait $pid_mapper
+    begin mapper
+    finish)");
+  EXPECT_EQ(played.status, 0) << played.err << session_.told();
+  expect_same_end_as_replay();
+}
+
+TEST_F(LiveSlow, APlannerThatIsKilledGetsEverythingAnew) {
+  const auto played = session_.run(R"(
+    begin mapper
+    begin planner
+    observe 2 200
+    lcm-logplayer -s 4 "$LOG" || exit 1
+    kill -KILL $pid_planner
+    wait $pid_planner
+    begin planner
+    finish)");
+  EXPECT_EQ(played.status, 0) << played.err << session_.told();
+  expect_same_end_as_replay();
+}
+
+TEST_F(LiveSlow, FiveTimesInARowAtFullSpeedOfTheLogAndAtFourTimes) {
+  for (int run = 0; run < 5; ++run) {
+    const Session session;
+    const auto played = session.run(std::string("speed=") + (run == 0 ? "1" : "4") + R"(
+      begin mapper
+      begin planner
+      observe 2 200
+      lcm-logplayer -s $speed "$LOG" || exit 1
+      finish)");
+    EXPECT_EQ(played.status, 0) << played.err << session.told();
+    EXPECT_EQ(session.observed(), lines_of(ShortLog::get().products, "")) << session.told();
+  }
+}
+
+}  // namespace
+}  // namespace scanway::test

@@ -1,0 +1,99 @@
+/// What the live tests need beside the programs themselves:
+///   scanway-live-tool digests LOG                     the products that a log holds
+///   scanway-live-tool observe URL VERSION SECONDS     the products on a bus, once that version is complete (else 1);
+///                                                     then the last counters of every process, as lines of HEALTH
+///   scanway-live-tool hostile URL                     lies on every channel
+///   scanway-live-tool other-version URL               a GOAL of another version of its type
+
+#include <cstdio>
+#include <functional>
+#include <map>
+#include <string>
+#include <thread>
+
+#include "common/bus/channels.h"
+#include "common/bus/lcm_bus.h"
+#include "common/bus/log_reader.h"
+#include "common/delivery/live_bus.h"
+#include "common/messages/codec.h"
+#include "tests/live/tool/hostile.h"
+#include "tests/live/tool/products.h"
+
+namespace scanway::test {
+namespace {
+
+using Milliseconds = std::chrono::milliseconds;
+
+int digests(const std::string& path) {
+  LogReader log(path);
+  Products products;
+  while (const auto event = log.next()) products.take({event->channel, event->bytes, event->utime});
+  std::fputs(products.text().c_str(), stdout);
+  return 0;
+}
+
+void print(const std::map<std::string, health_t>& healths) {
+  for (const auto& [process, health] : healths) {
+    for (const counter_t& counter : health.counters) {
+      std::printf("HEALTH %s %s %lld\n", process.c_str(), counter.counter_name.c_str(),
+                  static_cast<long long>(counter.count));
+    }
+    std::printf("SUMMARY %s %s\n", process.c_str(), health.summary.c_str());
+  }
+}
+
+int observe(const std::string& url, std::int64_t version, double seconds) {
+  LcmBus lcm(url);
+  LiveBus bus(lcm, this_process("observer"));
+  Products products;
+  std::map<std::string, health_t> healths;
+  products.listen(bus);
+  bus.subscribe(channel::kHealth.name, [&](const BusMessage& message) {
+    const auto health = decode<health_t>(message.bytes);
+    healths[health.process_name] = health;
+  });
+  bus.start();
+  const SteadyTime end = steady_now() + static_cast<SteadyTime>(seconds * 1e6);
+  const auto wait = [&](const std::function<bool()>& ready) {
+    while (!ready() && steady_now() < end) bus.dispatch(Milliseconds(50));
+    return ready();
+  };
+  const bool complete = wait([&] { return products.complete(version); });
+  // What is still on its way, and everybody's last word.
+  const SteadyTime quiet = steady_now() + 3'000'000;
+  wait([&] { return steady_now() > quiet; });
+  std::fputs(products.text().c_str(), stdout);
+  print(healths);
+  return complete ? 0 : 1;
+}
+
+int hostile(const std::string& url) {
+  LcmBus bus(url);
+  send_hostile(bus);
+  return 0;
+}
+
+int other_version(const std::string& url) {
+  LcmBus bus(url);
+  const std::vector<std::uint8_t> goal_of_tomorrow(40, 0x5A);
+  bus.publish(channel::kGoal.name, goal_of_tomorrow, 0);
+  return 0;
+}
+
+}  // namespace
+}  // namespace scanway::test
+
+int main(int argc, char** argv) {
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  try {
+    if (words.size() == 2 && words[0] == "digests") return scanway::test::digests(words[1]);
+    if (words.size() == 4 && words[0] == "observe") {
+      return scanway::test::observe(words[1], std::stoll(words[2]), std::stod(words[3]));
+    }
+    if (words.size() == 2 && words[0] == "hostile") return scanway::test::hostile(words[1]);
+    if (words.size() == 2 && words[0] == "other-version") return scanway::test::other_version(words[1]);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "scanway-live-tool: %s\n", error.what());
+  }
+  return 2;
+}

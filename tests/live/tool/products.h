@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "common/bus/bus.h"
+#include "common/messages/object_assembler.h"
+#include "scanway/cost_map_index_t.hpp"
+
+namespace scanway::test {
+
+/// The objects that mapper and planner have published, by channel and key, and the digest of each version. What is
+/// provisional is left out.
+class Products {
+ public:
+  /// Subscribes to all of them.
+  void listen(Bus& bus);
+  void take(const BusMessage& piece);
+
+  /// Whether a version of the map is here with all its tiles, its OctoMap and its paths.
+  bool complete(std::int64_t version) const;
+  /// A line an object: channel, key, version, digest; of tiles the newest version only.
+  std::string text() const;
+  std::size_t pieces() const { return pieces_; }
+
+ private:
+  using Name = std::pair<std::string, std::string>;
+
+  bool has(const std::string& channel, const std::string& key, std::int64_t version) const;
+
+  std::map<std::string, ObjectAssembler> assemblers_;
+  std::map<Name, std::map<std::int64_t, std::uint64_t>> digests_;
+  std::map<std::int64_t, cost_map_index_t> indices_;
+  std::map<std::int64_t, int> paths_;  // By the version of the map.
+  std::size_t pieces_ = 0;
+};
+
+}  // namespace scanway::test
