@@ -2,25 +2,26 @@
 
 #include <sstream>
 
-#include <octomap/OcTree.h>
+#include "modules/mapper/core/octomap/sweep_voxels.h"
+#include "modules/mapper/core/octomap/tree_update.h"
 
 namespace scanway {
 
 OccupancyTree::OccupancyTree(const OccupancyTreeConfig& config)
-    : config_(config), tree_(std::make_unique<octomap::OcTree>(config.resolution_m)) {}
+    : config_(config), tree_(std::make_unique<SweptOcTree>(config.resolution_m)) {}
 
 OccupancyTree::~OccupancyTree() = default;
 OccupancyTree::OccupancyTree(OccupancyTree&&) noexcept = default;
 OccupancyTree& OccupancyTree::operator=(OccupancyTree&&) noexcept = default;
 
 void OccupancyTree::insert(const MapPoints& points) {
-  octomap::Pointcloud cloud;
-  cloud.reserve(points.points.size());
-  for (const Eigen::Vector3f& p : points.points) cloud.push_back(p.x(), p.y(), p.z());
   const Eigen::Vector3f origin = points.origin.cast<float>();
-  const double max_range = config_.max_range_m > 0.0 ? config_.max_range_m : -1.0;
-  tree_->insertPointCloud(cloud, {origin.x(), origin.y(), origin.z()}, max_range, false, config_.discretize);
+  const KeyGrid grid(config_.resolution_m);
+  VoxelBricks bricks = sweep_voxels(points.points, {origin.x(), origin.y(), origin.z()}, grid, config_);
+  tree_->update(bricks);
 }
+
+const octomap::OcTree& OccupancyTree::tree() const { return *tree_; }
 
 std::string OccupancyTree::ot_bytes() const {
   std::ostringstream bytes;

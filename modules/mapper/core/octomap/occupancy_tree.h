@@ -11,6 +11,8 @@ class OcTree;
 
 namespace scanway {
 
+class SweptOcTree;
+
 struct OccupancyTreeConfig {
   double resolution_m = 0.1;
   double max_range_m = 20.0;  ///< Beams are cut off here; not above 0: they are not cut.
@@ -31,11 +33,11 @@ class OccupancyTree {
 
   std::string ot_bytes() const;  ///< The .ot file: every node's log-odds.
   std::string bt_bytes() const;  ///< The .bt file: each node at its most likely state.
-  const octomap::OcTree& tree() const { return *tree_; }
+  const octomap::OcTree& tree() const;
 
  private:
   OccupancyTreeConfig config_;
-  std::unique_ptr<octomap::OcTree> tree_;
+  std::unique_ptr<SweptOcTree> tree_;
 };
 
 }  // namespace scanway
