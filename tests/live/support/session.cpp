@@ -54,8 +54,8 @@ std::string Session::head() const {
 }
 
 CommandResult Session::run(const std::string& script) const {
-  return run_command(
-      {"unshare", "--net", "--pid", "--fork", "--kill-child", "bash", "-c", head() + "one_machine\n" + script});
+  return run_command({"unshare", "--net", "--pid", "--mount-proc", "--fork", "--kill-child", "bash", "-c",
+                      head() + "one_machine\n" + script});
 }
 
 CommandResult Session::run_on_lan(const std::vector<std::string>& options,

@@ -33,12 +33,19 @@ void Products::take(const BusMessage& message) {
   const bool wanted = std::any_of(std::begin(kProducts), std::end(kProducts),
                                   [&](const Channel& product) { return product.name == channel; });
   if (!wanted) return;
-  ++pieces_;
   const std::optional<Object> object = assemblers_[channel].add(decode<piece_t>(message.bytes));
   if (!object || object->key.starts_with("provisional")) return;
-  digests_[{channel, object->key}][object->version] = object->digest;
-  if (channel == channel::kCostMapIndex.name) indices_[object->version] = decode<cost_map_index_t>(object->bytes);
-  if (channel == channel::kPath.name) ++paths_[decode<path_t>(object->bytes).map_version];
+  try {
+    note(channel, *object);
+  } catch (const BadMessage&) {
+    ++lies_;
+  }
+}
+
+void Products::note(const std::string& channel, const Object& object) {
+  if (channel == channel::kCostMapIndex.name) indices_[object.version] = decode<cost_map_index_t>(object.bytes);
+  if (channel == channel::kPath.name) ++paths_[decode<path_t>(object.bytes).map_version];
+  digests_[{channel, object.key}][object.version] = object.digest;
 }
 
 bool Products::has(const std::string& channel, const std::string& key, std::int64_t version) const {

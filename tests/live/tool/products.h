@@ -23,18 +23,19 @@ class Products {
   bool complete(std::int64_t version) const;
   /// A line an object: channel, key, version, digest; of tiles the newest version only.
   std::string text() const;
-  std::size_t pieces() const { return pieces_; }
+  std::size_t lies() const { return lies_; }  ///< Objects that were not what their channel says.
 
  private:
   using Name = std::pair<std::string, std::string>;
 
+  void note(const std::string& channel, const Object& object);
   bool has(const std::string& channel, const std::string& key, std::int64_t version) const;
 
   std::map<std::string, ObjectAssembler> assemblers_;
   std::map<Name, std::map<std::int64_t, std::uint64_t>> digests_;
   std::map<std::int64_t, cost_map_index_t> indices_;
   std::map<std::int64_t, int> paths_;  // By the version of the map.
-  std::size_t pieces_ = 0;
+  std::size_t lies_ = 0;
 };
 
 }  // namespace scanway::test
