@@ -6,9 +6,9 @@
 namespace scanway::planning {
 namespace {
 
-/// A change that undoes more than this share of the last full search is not worth repairing: what is dropped has to be
-/// found again, and what lies beyond it too.
-constexpr std::uint64_t kWorthRepairing = 4;
+/// Changes that undo more than this share of the last full search are not worth repairing: what is dropped has to be
+/// found again, and what lies beyond it too. Until the planner notices, all that was done is wasted.
+constexpr std::uint64_t kWorthRepairing = 10;
 constexpr std::uint64_t kAlwaysRepaired = 64;
 /// The queue's buckets begin at 0, so k_m costs memory as it grows.
 constexpr std::uint64_t kLongestWay = 1u << 20;
@@ -21,7 +21,8 @@ DStarLite<Cost>::DStarLite(Graph& graph)
       cells_(static_cast<Node>(graph.terrain().frame().cells())),
       stored_(cells_),
       tags_(cells_),
-      queue_(std::bit_width(graph.straight()) - 1) {}
+      queue_(std::bit_width(graph.straight()) - 1),
+      rising_(std::bit_width(graph.straight()) - 1) {}
 
 template <class Cost>
 typename DStarLite<Cost>::Tight& DStarLite<Cost>::tight(Node node) {
@@ -52,6 +53,7 @@ void DStarLite<Cost>::start(std::vector<Node> roots, Cell target) {
     tags_.clear();
     tight_.clear();
     queue_.clear();
+    rising_.clear();
   }
   is_first_ = false;
   roots_ = std::move(roots);
@@ -83,17 +85,22 @@ void DStarLite<Cost>::expand(Node node) {
 }
 
 template <class Cost>
-std::optional<Node> DStarLite<Cost>::search(const std::vector<Node>& targets) {
+std::uint64_t DStarLite<Cost>::least(const std::vector<Node>& targets) {
+  std::uint64_t least = kInfinite;
+  for (const Node target : targets) least = std::min(least, value(target));
+  return least;
+}
+
+template <class Cost>
+bool DStarLite<Cost>::search(const std::vector<Node>& targets) {
   const std::uint64_t before = effort_.expansions;
-  const auto best = [&] {
-    std::uint64_t least = kInfinite;
-    for (const Node target : targets) least = std::min(least, value(target));
-    return least;
-  };
+  may_drop_ = effort_.dropped + std::max(kAlwaysRepaired, first_expansions_ / kWorthRepairing);
   std::vector<Node> kept;
-  std::uint64_t goal = best();
-  for (std::uint64_t bucket = queue_.lowest(); bucket != BucketQueue::kNone; bucket = queue_.lowest()) {
-    if (goal != kInfinite && queue_.lowest_key_of(bucket) >= goal + k_m_) break;
+  while (true) {
+    if (!rise_before(targets)) return false;
+    const std::uint64_t goal = least(targets);
+    const std::uint64_t bucket = queue_.lowest();
+    if (bucket == BucketQueue::kNone || (goal != kInfinite && queue_.lowest_key_of(bucket) >= goal + k_m_)) break;
     const Node node = queue_.pop(bucket);
     if ((tag(node) & kOpen) == 0) continue;
     const std::uint64_t now = key(node, value(node));
@@ -103,11 +110,16 @@ std::optional<Node> DStarLite<Cost>::search(const std::vector<Node>& targets) {
       kept.push_back(node);
     } else {
       expand(node);
-      goal = best();
     }
   }
   for (const Node node : kept) queue_.push(key(node, value(node)), node);
   first_expansions_ = std::max(first_expansions_, effort_.expansions - before);
+  return true;
+}
+
+template <class Cost>
+std::optional<Node> DStarLite<Cost>::reached(const std::vector<Node>& targets) {
+  const std::uint64_t goal = least(targets);
   if (goal == kInfinite) return std::nullopt;
   return *std::find_if(targets.begin(), targets.end(), [&](Node target) { return value(target) == goal; });
 }
@@ -122,35 +134,64 @@ bool DStarLite<Cost>::is_supported(Node node) {
 }
 
 template <class Cost>
-bool DStarLite<Cost>::drop_below(Node node) {
-  const std::uint64_t bound = std::max(kAlwaysRepaired, first_expansions_ / kWorthRepairing);
-  std::size_t next = dropped_.size();
-  const auto drop = [this](Node lost) {
-    set_value(lost, kInfinite);
-    tag(lost) = 0;
-    dropped_.push_back(lost);
-  };
-  drop(node);
-  for (; next < dropped_.size(); ++next) {
-    if (dropped_.size() > bound) return false;
-    graph_->possible_children(dropped_[next], [&](Node child, Link link) {
-      if (value(child) != kInfinite && (tag(child) & (kLinkMask | kRoot)) == link) drop(child);
-    });
+typename DStarLite<Cost>::Offer DStarLite<Cost>::best_offer(Node node) {
+  Offer best;
+  graph_->edges_above(node, [&](Node above, std::uint64_t cost, Link link) {
+    const std::uint64_t there = value(above);
+    if (there != kInfinite && there + cost < best.value) best = {there + cost, link};
+  });
+  return best;
+}
+
+template <class Cost>
+void DStarLite<Cost>::wait_to_rise(Node node) {
+  rising_.push(key(node, value(node)), node);
+}
+
+/// The bucket of the next node to expand, or of the targets when they come before it.
+template <class Cost>
+std::uint64_t DStarLite<Cost>::next_bucket(const std::vector<Node>& targets) {
+  const std::uint64_t goal = least(targets);
+  return goal == kInfinite ? queue_.lowest() : std::min(queue_.lowest(), queue_.bucket_of(goal + k_m_));
+}
+
+/// Takes all that waits up to and with the next bucket: so what is expanded, and the way found, rests on nothing that
+/// is gone. Returns false when that is more than it is worth.
+template <class Cost>
+bool DStarLite<Cost>::rise_before(const std::vector<Node>& targets) {
+  for (std::uint64_t bucket = rising_.lowest(); bucket != BucketQueue::kNone; bucket = rising_.lowest()) {
+    if (bucket > next_bucket(targets)) return true;
+    const Node node = rising_.pop(bucket);
+    if (value(node) == kInfinite || (tag(node) & kRoot) != 0 || is_supported(node)) continue;
+    const std::uint64_t now = key(node, value(node));
+    if (rising_.bucket_of(now) > bucket) {
+      rising_.push(now, node);
+    } else {
+      rise(node);
+    }
+    if (effort_.dropped > may_drop_) return false;
   }
   return true;
 }
 
+/// Another parent at no higher cost will do, even one that has to rise later, as this node then does too. It is none
+/// of those that hang on the node: they are dearer, or wait.
 template <class Cost>
-void DStarLite<Cost>::offer(Node node) {
-  std::uint64_t least = value(node);
-  std::optional<Link> best;
-  graph_->edges_above(node, [&](Node above, std::uint64_t cost, Link link) {
-    const std::uint64_t there = value(above);
-    if (there == kInfinite || there + cost >= least) return;
-    least = there + cost;
-    best = link;
-  });
-  if (best) lower(node, least, *best);
+void DStarLite<Cost>::rise(Node node) {
+  const Offer best = best_offer(node);
+  if (best.value == value(node)) {
+    tag(node) = static_cast<std::uint8_t>((tag(node) & kOpen) | best.link);
+    return;
+  }
+  if (best.value > value(node)) {
+    ++effort_.dropped;
+    set_value(node, kInfinite);
+    tag(node) = 0;
+    graph_->possible_children(node, [&](Node child, Link link) {
+      if (value(child) != kInfinite && (tag(child) & (kLinkMask | kRoot)) == link) wait_to_rise(child);
+    });
+  }
+  if (best.value != kInfinite) lower(node, best.value, best.link);
 }
 
 template <class Cost>
@@ -168,21 +209,19 @@ std::vector<std::uint32_t> DStarLite<Cost>::with_neighbours(const std::vector<st
 }
 
 template <class Cost>
-bool DStarLite<Cost>::change(const std::vector<std::uint32_t>& cells) {
+void DStarLite<Cost>::change(const std::vector<std::uint32_t>& cells) {
   const std::vector<std::uint32_t> around = with_neighbours(cells);
-  dropped_.clear();
-  bool worth = true;
   for (const std::uint32_t cell : around) {
     graph_->possible_nodes_of(cell, [&](Node node) {
-      if (!worth || value(node) == kInfinite || (tag(node) & kRoot) != 0 || is_supported(node)) return;
-      worth = drop_below(node);
+      if (value(node) != kInfinite && (tag(node) & kRoot) == 0 && !is_supported(node)) wait_to_rise(node);
     });
   }
-  effort_.dropped += dropped_.size();
-  if (!worth) return false;
-  for (const std::uint32_t cell : around) graph_->nodes_of(cell, [&](Node node) { offer(node); });
-  for (const Node node : dropped_) offer(node);
-  return true;
+  for (const std::uint32_t cell : around) {
+    graph_->nodes_of(cell, [&](Node node) {
+      const Offer best = best_offer(node);
+      if (best.value < value(node)) lower(node, best.value, best.link);
+    });
+  }
 }
 
 template <class Cost>

@@ -14,7 +14,7 @@ namespace scanway::planning {
 /// What a search did.
 struct Effort {
   std::uint64_t expansions = 0;  ///< Nodes whose neighbours were looked at.
-  std::uint64_t dropped = 0;     ///< Nodes that lost their value because what they hung on was gone.
+  std::uint64_t dropped = 0;     ///< Nodes that lost their value because what they hung on was gone or dearer.
   bool anew = false;             ///< It started over.
 };
 
@@ -24,11 +24,11 @@ struct CostOverflow {};
 /// D* Lite (Koenig and Likhachev, AAAI 2002; the optimised version with k_m and one tie-break): the least cost from the
 /// tree's root to the target, kept up while the target moves and the map changes.
 ///
-/// A node's value is D* Lite's rhs, and `open` says that its g is another: the node is in the queue. Instead of raising
-/// a node's g to infinity when it comes up in the queue, and then those of the nodes that rest on it one by one, all
-/// that hang on an edge that is gone or dearer lose their value at once, by the parent links, and are offered what
-/// is left around them. So no node is ever below its true value, g needs no memory of its own, and the size of a
-/// change is known before the search begins. The costs found are the same.
+/// A node's value is D* Lite's rhs, and `open` says that its g is another: the node is in the queue. A node whose
+/// parent is gone or dearer waits in a queue of its own, at the key of its old value. When its turn comes, it moves
+/// over to another parent of the same cost, and all below it stays as it is; or it loses its value, is offered the best
+/// that is around, and its children wait in turn. What lies behind the robot has keys that never come up. So g needs no
+/// memory of its own, and the costs found are the same.
 template <class Cost>
 class DStarLite {
  public:
@@ -38,11 +38,13 @@ class DStarLite {
   void start(std::vector<Node> roots, Cell target);
   /// The search aims at another cell from now on. Returns false, and needs start(), after a very long way.
   bool move_target(Cell target);
-  /// Takes over a change of the terrain at these cells (by index, in order). Returns false, and needs start(), when the
-  /// change undoes so much that a new search costs less.
-  bool change(const std::vector<std::uint32_t>& cells);
-  /// Finds the least cost of any of `targets`, all in the target cell. Returns that node; nothing when none is reached.
-  std::optional<Node> search(const std::vector<Node>& targets);
+  /// Takes over a change of the terrain at these cells (by index, in order).
+  void change(const std::vector<std::uint32_t>& cells);
+  /// Finds the least cost of any of `targets`, all in the target cell. Returns false, and needs start(), when changes
+  /// undo so much that a new search costs less.
+  bool search(const std::vector<Node>& targets);
+  /// The cheapest of `targets` after a search; nothing when none is reached.
+  std::optional<Node> reached(const std::vector<Node>& targets);
 
   std::uint64_t cost(Node node) { return value(node); }
   /// From the node up to the root.
@@ -68,9 +70,17 @@ class DStarLite {
   std::uint64_t key(Node node, std::uint64_t value) const;
   void lower(Node node, std::uint64_t value, Link link);
   void expand(Node node);
+  struct Offer {
+    std::uint64_t value = kInfinite;
+    Link link = 0;
+  };
+  Offer best_offer(Node node);
   bool is_supported(Node node);
-  bool drop_below(Node node);
-  void offer(Node node);
+  void wait_to_rise(Node node);
+  bool rise_before(const std::vector<Node>& targets);
+  void rise(Node node);
+  std::uint64_t least(const std::vector<Node>& targets);
+  std::uint64_t next_bucket(const std::vector<Node>& targets);
   std::vector<std::uint32_t> with_neighbours(const std::vector<std::uint32_t>& cells) const;
 
   Graph* graph_;
@@ -79,10 +89,11 @@ class DStarLite {
   LazyArray<std::uint8_t> tags_;
   std::vector<Tight> tight_;
   BucketQueue queue_;
+  BucketQueue rising_;
   std::vector<Node> roots_;
   Cell target_;
   std::uint64_t k_m_ = 0;
-  std::vector<Node> dropped_;
+  std::uint64_t may_drop_ = 0;          ///< In this search, before a new one costs less.
   std::uint64_t first_expansions_ = 0;  ///< What the last search from nothing took.
   bool is_first_ = true;
   Effort effort_;

@@ -18,7 +18,7 @@ void RouteFinder::change(const std::vector<std::uint32_t>& cells) {
   std::visit(
       [&](auto& search) {
         if constexpr (!std::is_same_v<std::decay_t<decltype(search)>, std::monostate>) {
-          tree_->is_new = !search.change(cells);
+          search.change(cells);
         }
       },
       tree_->search);
@@ -72,7 +72,11 @@ std::optional<Route> RouteFinder::run(Search& search, Cell from, Cell target) {
   const std::vector<Node> targets = nodes_at(target);
   if (tree_->is_new || roots != search.roots() || !search.move_target(target)) search.start(roots, target);
   tree_->is_new = false;
-  const std::optional<Node> reached = search.search(targets);
+  if (!search.search(targets)) {
+    search.start(roots, target);
+    search.search(targets);
+  }
+  const std::optional<Node> reached = search.reached(targets);
   if (!reached) return std::nullopt;
   Route route;
   route.cost_cells = static_cast<double>(search.cost(*reached)) / static_cast<double>(tree_->graph.straight());
