@@ -20,7 +20,7 @@ struct ScanReport {
   double inlier_rmse_m = 0.0;
   std::string reason;
   Pose T_map_scan = Pose::Identity();
-  std::optional<Pose> T_ref_scan;  ///< If the log holds a reference.
+  std::optional<Pose> T_ref_scan;                       ///< If the log holds a reference.
   std::vector<std::pair<std::string, double>> seconds;  ///< By stage.
 };
 

@@ -5,11 +5,11 @@
 #include <string>
 #include <thread>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 #include <tbb/global_control.h>
+#include <CLI/CLI.hpp>
 
 #include "common/files/input_error.h"
 #include "common/files/printable.h"
@@ -77,11 +77,11 @@ void add_register(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("register", "The pose of one cloud in another's frame, with a verdict");
   command->add_option("source", options.source, "The cloud to move")->required();
   command->add_option("target", options.target, "The cloud that stays")->required();
-  auto* flag = command
-                   ->add_option("--orientation", orientation,
-                                "R_target_source as a tracker gives it, a quaternion qw,qx,qy,qz")
-                   ->delimiter(',')
-                   ->type_name("QW,QX,QY,QZ");
+  auto* flag =
+      command
+          ->add_option("--orientation", orientation, "R_target_source as a tracker gives it, a quaternion qw,qx,qy,qz")
+          ->delimiter(',')
+          ->type_name("QW,QX,QY,QZ");
   command->add_flag("--json", options.json, "One JSON document on stdout");
   command->callback([&action, flag] {
     if (flag->count() > 0) options.orientation_wxyz = orientation;

@@ -6,7 +6,7 @@
 namespace scanway::tools {
 
 struct PlanOptions {
-  std::string map;  ///< A map_server YAML.
+  std::string map;    ///< A map_server YAML.
   std::string robot;  ///< Robot file; empty: the built-in ERA-Mobi.
   std::pair<double, double> start_m;
   std::pair<double, double> goal_m;

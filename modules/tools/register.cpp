@@ -18,8 +18,8 @@ OrientationPrior prior_from(const std::array<double, 4>& wxyz) {
   const double norm = std::sqrt(wxyz[0] * wxyz[0] + wxyz[1] * wxyz[1] + wxyz[2] * wxyz[2] + wxyz[3] * wxyz[3]);
   if (!std::isfinite(norm) || norm < 1e-6) {
     throw InputError(
-        fmt::format("--orientation {},{},{},{}: no rotation; give a quaternion qw,qx,qy,qz that is not zero",
-                    wxyz[0], wxyz[1], wxyz[2], wxyz[3]));
+        fmt::format("--orientation {},{},{},{}: no rotation; give a quaternion qw,qx,qy,qz that is not zero", wxyz[0],
+                    wxyz[1], wxyz[2], wxyz[3]));
   }
   OrientationPrior prior;
   prior.R_target_source =

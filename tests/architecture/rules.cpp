@@ -36,7 +36,8 @@ bool is_pure(const std::string& path) {
 }
 
 bool is_lcm(const std::string& include) {
-  static const std::regex kLcm("^<?(lcm/|lcmtypes/|scanway/|bot_core/|common/(bus|messages|delivery|health|process)/)|_t\\.hpp>?$");
+  static const std::regex kLcm(
+      "^<?(lcm/|lcmtypes/|scanway/|bot_core/|common/(bus|messages|delivery|health|process)/)|_t\\.hpp>?$");
   return regex_search(include, kLcm);
 }
 
@@ -89,8 +90,7 @@ const std::vector<Ban>& bans() {
     ban("#\\s*include\\s*<random>|\\bstd::(mt19937|random_device|default_random_engine|shuffle|sample)\\b",
         "randomness");
     ban("(^|[^\\w.>:]|std::)(rand|srand|drand48)\\s*\\(", "randomness");
-    ban("#\\s*include\\s*<(fstream|iostream|filesystem|fcntl\\.h|unistd\\.h)>",
-        "files or the terminal");
+    ban("#\\s*include\\s*<(fstream|iostream|filesystem|fcntl\\.h|unistd\\.h)>", "files or the terminal");
     ban("\\bstd::(cout|cerr|clog|ifstream|ofstream|fstream|filesystem)\\b|\\b(fopen|printf|fprintf|getenv)\\s*\\(",
         "files or the terminal");
     ban("\\blcm(_|::)|#\\s*include\\s*<spdlog", "the bus or the log");

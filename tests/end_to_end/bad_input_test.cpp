@@ -64,8 +64,8 @@ TEST_F(Import, RefusesPosesWithALineMissing) {
   const std::string all = read_text(hall_poses());
   write_text(folder / "poses.txt", all.substr(0, all.find("scan001")));
   const auto words = [&](const std::string& scan) {
-    return std::vector<std::string>{"import", "clouds", hall(scan), "--poses", folder / "poses.txt", "-o",
-                                    folder / "out.lcmlog"};
+    return std::vector<std::string>{
+        "import", "clouds", hall(scan), "--poses", folder / "poses.txt", "-o", folder / "out.lcmlog"};
   };
   expect_refused(run_scanway(words("scan001.pcd")), "scan001");
   EXPECT_FALSE(log_is_there());
@@ -76,8 +76,8 @@ TEST_F(Import, RefusesAnUnknownKeyOrAWrongUnitInTheRobotFile) {
   write_text(folder / "scan.pcd", pcd({"1 0 0", "0 1 0", "2 1 0"}));
   const auto with_robot = [&](const std::string& text) {
     write_text(folder / "robot.yaml", text);
-    return run_scanway({"import", "clouds", folder / "scan.pcd", "--robot", folder / "robot.yaml", "-o",
-                        folder / "out.lcmlog"});
+    return run_scanway(
+        {"import", "clouds", folder / "scan.pcd", "--robot", folder / "robot.yaml", "-o", folder / "out.lcmlog"});
   };
   expect_refused(with_robot("schema: 1\nbody:\n  hight_m: 1.5\n"), "height_m");
   expect_refused(with_robot("schema: 1\nbody:\n  height_cm: 150\n"), "height_m");

@@ -12,9 +12,9 @@ namespace {
 
 using Json = nlohmann::json;
 
-const std::vector<std::string> kProducts = {"out.lcmlog",   "map.pcd",        "map.ply",  "map.bt",      "map.ot",
-                                            "costmap.pgm",  "costmap.yaml",   "path.csv", "trajectory.tum",
-                                            "map.png",      "costmap.png",    "path.png"};
+const std::vector<std::string> kProducts = {"out.lcmlog",     "map.pcd",     "map.ply",      "map.bt",
+                                            "map.ot",         "costmap.pgm", "costmap.yaml", "path.csv",
+                                            "trajectory.tum", "map.png",     "costmap.png",  "path.png"};
 
 /// One log and its replay, made once for all tests of this file.
 class Replay : public testing::Test {

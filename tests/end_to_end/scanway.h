@@ -22,8 +22,8 @@ inline std::string hall_poses() { return hall("poses_reference.txt"); }
 inline std::vector<std::string> import_halls(const std::vector<std::string>& scans, const std::string& log) {
   std::vector<std::string> words = {"import", "clouds"};
   for (const std::string& scan : scans) words.push_back(hall(scan));
-  for (const char* word : {"--poses", "", "--heading-sigma-deg", "5", "--tilt-sigma-deg", "0.5", "--goal", "1.0,-0.5",
-                           "-o", ""}) {
+  for (const char* word :
+       {"--poses", "", "--heading-sigma-deg", "5", "--tilt-sigma-deg", "0.5", "--goal", "1.0,-0.5", "-o", ""}) {
     words.emplace_back(word);
   }
   words[2 + scans.size() + 1] = hall_poses();

@@ -10,7 +10,7 @@
 namespace scanway::test {
 namespace {
 
-const std::vector<std::string> kCompared = {"out.lcmlog", "map.pcd",  "map.ot",         "map.bt",
+const std::vector<std::string> kCompared = {"out.lcmlog",  "map.pcd",  "map.ot",        "map.bt",
                                             "costmap.pgm", "path.csv", "trajectory.tum"};
 
 class SameBytes : public testing::Test {
@@ -28,8 +28,8 @@ class SameBytes : public testing::Test {
   static void expect_same(std::vector<std::string> program, const std::string& threads,
                           const std::vector<std::string>& environment = {}) {
     const std::string out = *folder_ / "again";
-    for (const std::string& word : {std::string("replay"), log(), std::string("-o"), out, std::string("--threads"),
-                                    threads}) {
+    for (const std::string& word :
+         {std::string("replay"), log(), std::string("-o"), out, std::string("--threads"), threads}) {
       program.push_back(word);
     }
     const CommandResult result = run_command(program, environment);
@@ -65,9 +65,7 @@ TEST_F(SameBytes, WithFmaAndAvx2HiddenFromTheCLibrary) {
   expect_same({scanway()}, "2", {"GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-FMA4,-AVX2,-AVX,-AVX512F"});
 }
 
-TEST_F(SameBytes, OnAProcessorWithoutFmaAndAvx2) {
-  expect_same({"qemu-x86_64", "-cpu", "Nehalem-v1", scanway()}, "2");
-}
+TEST_F(SameBytes, OnAProcessorWithoutFmaAndAvx2) { expect_same({"qemu-x86_64", "-cpu", "Nehalem-v1", scanway()}, "2"); }
 
 }  // namespace
 }  // namespace scanway::test

@@ -11,10 +11,10 @@ namespace scanway::bench {
 /// A set of real scans with reference poses, from ../shared/data.
 struct RealSet {
   std::string name;
-  std::vector<std::string> scans;   ///< Names, in the order of the poses file.
+  std::vector<std::string> scans;  ///< Names, in the order of the poses file.
   std::vector<PointCloud> clouds;
   std::vector<Pose> X_ref_scan;
-  double right_m = 0.1;             ///< How far from the reference a right pose may be (the set's own uncertainty).
+  double right_m = 0.1;  ///< How far from the reference a right pose may be (the set's own uncertainty).
   double right_angle = 0.0087;
 
   Pose T_target_source(std::size_t source, std::size_t target) const {

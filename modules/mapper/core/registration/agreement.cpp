@@ -7,8 +7,8 @@ namespace scanway::registration {
 namespace {
 
 constexpr float kOverlapDistance = 0.3f;
-constexpr float kSurfaceDistance = 0.6f;       // between the centres of like surfaces
-constexpr float kPlaneDistance = 0.12f;        // of one centre from the other's plane
+constexpr float kSurfaceDistance = 0.6f;  // between the centres of like surfaces
+constexpr float kPlaneDistance = 0.12f;   // of one centre from the other's plane
 constexpr float kMinNormalCosine = 0.9f;
 
 /// One direction: `from` seen by `to`.

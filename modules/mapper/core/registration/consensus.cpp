@@ -12,9 +12,9 @@
 namespace scanway::registration {
 namespace {
 
-constexpr float kNormalTolerance = 0.35f;       // of cosines between normals and lines
-constexpr std::size_t kGroup = 24;              // matches of a seed's first pose
-constexpr double kMaxTiltFreeCosine = 0.5;      // both scans within 30 degrees of upright: 60 degrees between them
+constexpr float kNormalTolerance = 0.35f;   // of cosines between normals and lines
+constexpr std::size_t kGroup = 24;          // matches of a seed's first pose
+constexpr double kMaxTiltFreeCosine = 0.5;  // both scans within 30 degrees of upright: 60 degrees between them
 constexpr std::size_t kMinVotes = 4;
 
 struct Oriented {
@@ -43,8 +43,8 @@ class Compatibility {
 
 struct PairTest {
   float tolerance, min_baseline;
-  bool turned;            ///< The tracker's rotation is applied: difference vectors are comparable.
-  float heading, tilt;    ///< Its bounds.
+  bool turned;          ///< The tracker's rotation is applied: difference vectors are comparable.
+  float heading, tilt;  ///< Its bounds.
 
   bool operator()(const Oriented& a, const Oriented& b) const {
     const Eigen::Vector3f d = b.p - a.p, e = b.q - a.q;
@@ -71,8 +71,8 @@ std::vector<Oriented> orient(const Keypoints& source, const Keypoints& target, c
   std::vector<Oriented> oriented;
   oriented.reserve(matches.size());
   for (const Match& m : matches) {
-    oriented.push_back({R * source.point[m.source], target.point[m.target], R * source.normal[m.source],
-                        target.normal[m.target]});
+    oriented.push_back(
+        {R * source.point[m.source], target.point[m.target], R * source.normal[m.source], target.normal[m.target]});
   }
   return oriented;
 }

@@ -24,12 +24,12 @@ struct Hypothesis {
 };
 
 struct ConsensusOptions {
-  double tolerance_m = 0.5;       ///< Of a match at the right pose: some two voxels of the keypoints.
-  double min_baseline_m = 1.5;    ///< Nearer pairs of matches say nothing of the rotation.
+  double tolerance_m = 0.5;     ///< Of a match at the right pose: some two voxels of the keypoints.
+  double min_baseline_m = 1.5;  ///< Nearer pairs of matches say nothing of the rotation.
   std::size_t max_matches = 1500;
   std::size_t max_seeds = 800;
   std::size_t max_hypotheses = 16;
-  double distinct_m = 0.7;        ///< Nearer hypotheses (and of like rotation) are one.
+  double distinct_m = 0.7;  ///< Nearer hypotheses (and of like rotation) are one.
   double distinct_angle = 0.12;
 };
 

@@ -58,7 +58,8 @@ bool pair_bins(const Eigen::Vector3f& d, float d2, const Eigen::Vector3f& n1, co
 bool has_normal(const Eigen::Vector3f& normal) { return normal.squaredNorm() > 0.5f; }
 
 /// The simplified histogram of one point: over the pairs of it and each of its neighbours.
-Fpfh simple_histogram(std::size_t i, const Points& points, const Points& normals, const Neighbourhoods& neighbourhoods) {
+Fpfh simple_histogram(std::size_t i, const Points& points, const Points& normals,
+                      const Neighbourhoods& neighbourhoods) {
   Fpfh histogram{};
   if (!has_normal(normals[i])) return histogram;
   const float share = 100.0f / static_cast<float>(std::max<std::size_t>(1, neighbourhoods.of(i).size()));

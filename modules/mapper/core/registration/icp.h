@@ -35,9 +35,9 @@ struct IcpResult {
   /// knowledge of where the scene holds the pose.
   Matrix6 plain_information = Matrix6::Zero();
   double plain_weight = 0.0;
-  double rmse_m = 0.0;        ///< Of the point-to-plane distances, weighted.
-  double lever_m = 1.0;       ///< Root mean square distance of the inliers from the source's sensor.
-  std::size_t inliers = 0;    ///< Correspondences of the last iteration.
+  double rmse_m = 0.0;      ///< Of the point-to-plane distances, weighted.
+  double lever_m = 1.0;     ///< Root mean square distance of the inliers from the source's sensor.
+  std::size_t inliers = 0;  ///< Correspondences of the last iteration.
 };
 
 /// Point-to-plane ICP between chosen surfaces (Chen and Medioni 1992; normals of both sides as in Rusinkiewicz, A
@@ -45,9 +45,9 @@ struct IcpResult {
 ///
 /// Composition: a step (w, v) turns the source about its sensor and then shifts it, in the target's frame:
 /// R_ref = exp(w) R, T_ref = T + v. The paper writes R_ref = R R_ICP, T_ref = T + T_ICP; that is the same if its R_ICP
-/// is our exp(w) expressed in the source's frame, R_ICP = R^T exp(w) R, and its T_ICP is expressed in the target's. With
-/// an ICP that returns a transform K = [R_K, T_K] of the already moved cloud about the target's origin, as most do, it
-/// is not: then R_ref = R_K R and T_ref = R_K T + T_K.
+/// is our exp(w) expressed in the source's frame, R_ICP = R^T exp(w) R, and its T_ICP is expressed in the target's.
+/// With an ICP that returns a transform K = [R_K, T_K] of the already moved cloud about the target's origin, as most
+/// do, it is not: then R_ref = R_K R and T_ref = R_K T + T_K.
 IcpResult run_icp(const Surfaces& source, const IcpTarget& target, const Pose& T_target_source,
                   std::span<const IcpRound> rounds);
 

@@ -9,10 +9,10 @@ namespace scanway::registration {
 namespace {
 
 constexpr std::size_t kDims = kFpfhBins + 3;
-constexpr std::size_t kStrip = 64;          // targets of a strip, whose partial distances stay in the first-level cache
-constexpr std::size_t kBlock = 128;         // sources of a block
-constexpr float kNormalWeight = 60.0f;      // in percents of a histogram: opposite normals differ as unlike corners do
-constexpr float kMinNormalCosine = 0.85f;   // 32 degrees: the tracker's worst heading and the normals' own error
+constexpr std::size_t kStrip = 64;         // targets of a strip, whose partial distances stay in the first-level cache
+constexpr std::size_t kBlock = 128;        // sources of a block
+constexpr float kNormalWeight = 60.0f;     // in percents of a histogram: opposite normals differ as unlike corners do
+constexpr float kMinNormalCosine = 0.85f;  // 32 degrees: the tracker's worst heading and the normals' own error
 
 /// Descriptors by dimension, in strips of targets: [strip][dimension][lane], padded with far-away ones.
 struct Strips {

@@ -13,12 +13,12 @@ namespace {
 
 using namespace registration;
 
-constexpr float kFineVoxel = 0.1f;        // metres
-constexpr float kFineCell = 0.3f;         // the distance at which overlap is counted
-constexpr float kFeatureVoxel = 0.3f;     // thinning for features: their neighbourhoods then hold some 70 points
-constexpr float kNormalRadius = 0.9f;     // three voxels
-constexpr float kFeatureRadius = 1.5f;    // five voxels
-constexpr float kSurfaceReach = 1.0f;     // cell of the surfaces' index
+constexpr float kFineVoxel = 0.1f;      // metres
+constexpr float kFineCell = 0.3f;       // the distance at which overlap is counted
+constexpr float kFeatureVoxel = 0.3f;   // thinning for features: their neighbourhoods then hold some 70 points
+constexpr float kNormalRadius = 0.9f;   // three voxels
+constexpr float kFeatureRadius = 1.5f;  // five voxels
+constexpr float kSurfaceReach = 1.0f;   // cell of the surfaces' index
 constexpr std::size_t kKeypoints = 3000;
 constexpr std::size_t kFewSurfaces = 1200;
 constexpr std::size_t kMinPoints = 200;

@@ -21,7 +21,7 @@ class RangeImage {
   static constexpr int kEdge = 72;  ///< Pixels of a face's edge: 1.6 degrees in its middle.
   static std::optional<std::size_t> pixel_of(const Eigen::Vector3f& point);
 
-  std::vector<float> nearest_;   ///< Of a pixel and its neighbours; 0 where the pixel itself saw nothing.
+  std::vector<float> nearest_;  ///< Of a pixel and its neighbours; 0 where the pixel itself saw nothing.
   std::vector<float> farthest_;
 };
 

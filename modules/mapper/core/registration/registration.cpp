@@ -55,7 +55,8 @@ RegistrationResult conclude(const std::vector<Candidate>& candidates, const Prep
   }
   const IcpResult& icp = refined[best];
   Evidence evidence = finalists[best].evidence;
-  evidence.margin = std::min(margin_to_others(finalists[best], finalists), margin_to_others(finalists[best], candidates));
+  evidence.margin =
+      std::min(margin_to_others(finalists[best], finalists), margin_to_others(finalists[best], candidates));
   RegistrationResult result;
   result.T_target_source = to_scan_frames(icp.T_target_source, source, target);
   result.inlier_rmse_m = icp.rmse_m;

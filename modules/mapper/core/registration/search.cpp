@@ -30,9 +30,8 @@ std::vector<Candidate> rank_candidates(std::vector<Candidate> all) {
                    [](const Candidate& a, const Candidate& b) { return rank_of(a.evidence) > rank_of(b.evidence); });
   std::vector<Candidate> kept;
   for (const Candidate& c : all) {
-    const bool known = std::any_of(kept.begin(), kept.end(), [&](const Candidate& k) {
-      return !distinct(k.T_target_source, c.T_target_source);
-    });
+    const bool known = std::any_of(kept.begin(), kept.end(),
+                                   [&](const Candidate& k) { return !distinct(k.T_target_source, c.T_target_source); });
     if (!known) kept.push_back(c);
   }
   return kept;

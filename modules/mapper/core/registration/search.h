@@ -26,7 +26,8 @@ std::vector<Candidate> find_candidates(const PreparedScan::Data& source, const P
                                        StageListener* stages);
 
 /// The last ICP from a candidate's pose, on all chosen surfaces.
-IcpResult refine_finely(const PreparedScan::Data& source, const PreparedScan::Data& target, const Pose& T_target_source);
+IcpResult refine_finely(const PreparedScan::Data& source, const PreparedScan::Data& target,
+                        const Pose& T_target_source);
 
 /// What speaks for and against the result of an ICP; all but the margin.
 Evidence evidence_of(const PreparedScan::Data& source, const PreparedScan::Data& target, const IcpResult& icp);

@@ -9,10 +9,10 @@
 namespace scanway::registration {
 namespace {
 
-constexpr int kLevels = 3;               // cells of 0.4, 0.8 and 1.6 m
+constexpr int kLevels = 3;  // cells of 0.4, 0.8 and 1.6 m
 constexpr std::uint32_t kMinPoints = 6;
-constexpr double kMaxThickness = 0.08;   // deviation across the plane, in cells: 3 cm at the finest level
-constexpr double kMinExtent = 0.12;      // deviation along its shorter axis, in cells
+constexpr double kMaxThickness = 0.08;  // deviation across the plane, in cells: 3 cm at the finest level
+constexpr double kMinExtent = 0.12;     // deviation along its shorter axis, in cells
 
 struct CellMoments {
   CellKey key = 0;

@@ -13,9 +13,9 @@ namespace scanway::registration {
 namespace {
 
 constexpr double kAcceptedProbability = 0.9;
-constexpr double kOpenShare = 0.008;   // of the information: the noise of normals alone (3 degrees) gives 0.003
-constexpr double kOpenLever = 0.4;     // metres: at this lever surfaces that are 3 mm off turn the scan by 0.4 degrees
-constexpr double kMinOverlap = 0.22;   // below, too little of either scan bears the answer
+constexpr double kOpenShare = 0.008;  // of the information: the noise of normals alone (3 degrees) gives 0.003
+constexpr double kOpenLever = 0.4;    // metres: at this lever surfaces that are 3 mm off turn the scan by 0.4 degrees
+constexpr double kMinOverlap = 0.22;  // below, too little of either scan bears the answer
 
 std::string format(const char* text, double a, double b = 0.0, double c = 0.0) {
   char buffer[200];
@@ -75,7 +75,8 @@ Observability observe(const IcpResult& icp) {
     if (translation.values[k] < kOpenShare) {
       result.open_directions.push_back(translation_name(translation.vectors.col(k)));
     }
-    if (rotation.values[k] < kOpenLever * kOpenLever) result.open_directions.push_back(rotation_name(rotation.vectors.col(k)));
+    if (rotation.values[k] < kOpenLever * kOpenLever)
+      result.open_directions.push_back(rotation_name(rotation.vectors.col(k)));
   }
   return result;
 }

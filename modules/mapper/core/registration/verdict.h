@@ -14,8 +14,8 @@ constexpr double kMaxMargin = 5.0;
 struct Evidence {
   Agreement agreement;
   double rmse_m = 0.0;
-  double margin = kMaxMargin;   ///< Rank less that of the second-best distinct pose.
-  double observability = 0.0;   ///< Of the least constrained direction: its share of the information, 1/3 at best.
+  double margin = kMaxMargin;  ///< Rank less that of the second-best distinct pose.
+  double observability = 0.0;  ///< Of the least constrained direction: its share of the information, 1/3 at best.
 };
 
 /// Log-odds of a pose by how well the scans agree there, without its rivals: what poses are ranked by.

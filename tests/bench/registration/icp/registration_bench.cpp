@@ -126,11 +126,13 @@ int main(int argc, char** argv) {
     Pose start = truth;
     start.linear() = rotation_about_z(2.0 / 57.29577951) * truth.linear();
     start.translation() += Eigen::Vector3d(0.2, 0.2, 0.1);
-    measure(s.data(), t.data(), start, truth, [](const auto& scan) { return choose_surfaces(scan.fine.points()); }, 1.0f,
-            chosen);
+    measure(
+        s.data(), t.data(), start, truth, [](const auto& scan) { return choose_surfaces(scan.fine.points()); }, 1.0f,
+        chosen);
     measure(s.data(), t.data(), start, truth, all_points, 0.5f, all);
   }
-  std::printf("\n| ICP on | points a scan | preparing, s | ICP, s | error, mm | degrees |\n|---|---|---|---|---|---|\n");
+  std::printf(
+      "\n| ICP on | points a scan | preparing, s | ICP, s | error, mm | degrees |\n|---|---|---|---|---|---|\n");
   chosen.print("chosen surfaces");
   all.print("all points");
 }

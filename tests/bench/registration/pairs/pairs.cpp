@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <tbb/global_control.h>
+#include <CLI/CLI.hpp>
 
 #include "common/math/repeatable.h"
 #include "common/progress/stage_timer.h"
@@ -55,11 +55,12 @@ void run_pair(const Options& options, const RealSet& set, const std::vector<Prep
   tally.lost += !accepted && overlap >= 0.3;
   timer.finish();
   std::fflush(stdout);
-  std::printf("%-12.12s %s>%s seed %d true overlap %.2f: %s %s %.4f m %.3f deg p=%.3f overlap %.2f rmse %.3f cpu %.3f s %s\n",
-              set.name.c_str(), set.scans[source].c_str(), set.scans[target].c_str(), seed, overlap,
-              accepted ? "accepted" : "refused ", right ? "right" : "WRONG", error.metres,
-              error.radians * 180.0 / repeatable::kPi, result.probability, result.overlap, result.inlier_rmse_m,
-              static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, result.reason.c_str());
+  std::printf(
+      "%-12.12s %s>%s seed %d true overlap %.2f: %s %s %.4f m %.3f deg p=%.3f overlap %.2f rmse %.3f cpu %.3f s %s\n",
+      set.name.c_str(), set.scans[source].c_str(), set.scans[target].c_str(), seed, overlap,
+      accepted ? "accepted" : "refused ", right ? "right" : "WRONG", error.metres,
+      error.radians * 180.0 / repeatable::kPi, result.probability, result.overlap, result.inlier_rmse_m,
+      static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, result.reason.c_str());
   if (options.stages) {
     for (const auto& [name, seconds] : timer.finish()) std::printf("    %s %.3f", name.c_str(), seconds);
     std::printf("\n");

@@ -86,9 +86,10 @@ TEST(VoxelGrid, CentroidsOfBruteForceInOrderOfTheVoxels) {
     std::map<std::tuple<int, int, int>, std::pair<Eigen::Vector3d, int>> voxels;
     for (const Eigen::Vector3f& p : points) {
       const Eigen::Vector3f s = p * (1.0f / 0.3f);
-      auto& [sum, count] = voxels.try_emplace({static_cast<int>(std::floor(s.z())), static_cast<int>(std::floor(s.y())),
-                                               static_cast<int>(std::floor(s.x()))},
-                                              Eigen::Vector3d::Zero(), 0)
+      auto& [sum, count] = voxels
+                               .try_emplace({static_cast<int>(std::floor(s.z())), static_cast<int>(std::floor(s.y())),
+                                             static_cast<int>(std::floor(s.x()))},
+                                            Eigen::Vector3d::Zero(), 0)
                                .first->second;
       sum += p.cast<double>();
       ++count;

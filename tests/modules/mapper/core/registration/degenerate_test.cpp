@@ -45,9 +45,8 @@ std::vector<PointCloud> hopeless_clouds() {
 TEST(Registration, RefusesWhatCannotBeRegisteredAndSaysWhy) {
   const PointCloud room = cloud_of(registration::room(0.08f));
   for (const PointCloud& cloud : hopeless_clouds()) {
-    for (const RegistrationResult& result :
-         {register_clouds(cloud, room), register_clouds(room, cloud),
-          register_clouds(cloud, room, Eigen::Vector3d::Zero(), std::nullopt)}) {
+    for (const RegistrationResult& result : {register_clouds(cloud, room), register_clouds(room, cloud),
+                                             register_clouds(cloud, room, Eigen::Vector3d::Zero(), std::nullopt)}) {
       EXPECT_EQ(result.verdict, Verdict::refused);
       EXPECT_FALSE(result.reason.empty());
       EXPECT_LE(result.probability, 0.5) << result.reason;
@@ -106,7 +105,8 @@ PointCloud corridor(Random& random) {
   PointCloud cloud;
   const Eigen::Matrix3f R = rotation_about_z(3.14159265358979 / 6.0).cast<float>();
   for (int i = 0; i < 150000; ++i) {
-    const auto along = static_cast<float>(120.0 * random.uniform() - 60.0), share = static_cast<float>(random.uniform());
+    const auto along = static_cast<float>(120.0 * random.uniform() - 60.0),
+               share = static_cast<float>(random.uniform());
     const auto noise = static_cast<float>(0.01 * random.normal());
     Eigen::Vector3f p(along, 1.0f + noise, 2.5f * share - 1.0f);
     if (i % 3 == 1) p.y() = -1.2f + noise;
