@@ -199,7 +199,7 @@ TEST_F(ImportClouds, WaitsForPiecesThatNeedLonger) {
 
 TEST_F(ImportClouds, DisturbsTheTrackerAsAsked) {
   // One file again and again, on a robot that leans by 30 degrees: the world's axes are not the scan's.
-  ImportCloudsOptions options = small_clouds(1, 1);
+  ImportCloudsOptions options = small_clouds(1, 3);
   options.files.assign(400, options.files[0]);
   test::write_text(options.poses, "scan0 1 0 0 0 0 0.8660254038 -0.5 0 0 0.5 0.8660254038 0\n");
   options.heading_sigma_deg = 5.0;
