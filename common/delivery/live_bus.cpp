@@ -160,6 +160,7 @@ void LiveBus::forward(const BusMessage& message) {
   Input& input = inputs_.find(message.channel)->second;
   if (!is_good(message, input)) return;
   if (is_cut(message.channel)) receiver_.add(message.channel, decode<piece_t>(message.bytes), steady_now());
+  if (options_.tap) options_.tap(message);
   inbox_.push(message.channel, message.bytes);
 }
 

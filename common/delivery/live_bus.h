@@ -25,6 +25,8 @@ struct LiveBusOptions {
   ReceiverLimits receiver;
   /// Channels whose last own message is said again once a second, for those who missed it or came later.
   std::vector<std::string> repeated;
+  /// Gets every good message of the node's channels in the bus's own thread, before the node does.
+  Bus::Handler tap;
 };
 
 /// A node's end of a bus that loses, repeats and disorders messages. Its own thread checks what comes, hands it to the

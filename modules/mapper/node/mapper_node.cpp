@@ -93,7 +93,7 @@ void MapperNode::take_imu(const BusMessage& message) {
     const auto imu = decode<bot_core::ins_t>(message.bytes);
     const Orientation arrived{imu.utime, orientation_of(imu), {message.bytes.begin(), message.bytes.end()}};
     ++news_;
-    if (inputs_.add(kImuInput, imu.utime, arrived)) arrived_orientation_ = arrived;
+    inputs_.add(kImuInput, imu.utime, arrived);
   } catch (const BadMessage&) {
     ++bad_messages_;
   }
@@ -108,8 +108,6 @@ void MapperNode::take_piece(const BusMessage& message) {
     Sweep sweep = to_sweep(decode<sweep_t>(object->bytes));
     const Utime utime = sweep.utime;
     object->utime = utime;
-    // A tracker that is heard again after the sweep says what orientation it had; until then this one is the best.
-    if (!arrived_orientation_ || arrived_orientation_->utime <= utime) keep(*object, arrived_orientation_);
     if (store_ == nullptr) object->bytes = {};
     inputs_.add(kSweepInput, utime, ArrivedSweep{std::move(sweep), std::move(*object)});
   } catch (const BadMessage&) {

@@ -74,8 +74,7 @@ class MapperNode {
   MapPublisher publisher_;
   ObjectAssembler sweeps_;
   OrderedMerge<Input> inputs_;
-  std::optional<Orientation> orientation_;          // The newest that the merge let go.
-  std::optional<Orientation> arrived_orientation_;  // The newest that came.
+  std::optional<Orientation> orientation_;  // The newest that the merge let go.
   const SweepStore* store_ = nullptr;
   std::string store_trouble_;
   std::size_t news_ = 0;

@@ -30,6 +30,8 @@ void SweepStore::keep(const Object& sweep, std::span<const std::uint8_t> imu) co
   log.close();
 }
 
+bool SweepStore::has(const Object& sweep) const { return std::filesystem::exists(path_of(sweep)); }
+
 void SweepStore::drop(const Object& sweep) const {
   std::error_code gone_already;
   std::filesystem::remove(path_of(sweep), gone_already);

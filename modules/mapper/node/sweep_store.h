@@ -19,6 +19,7 @@ class SweepStore {
   /// `imu`: the message whose orientation the sweep uses; empty: none. Whole on the disk when this returns. Throws
   /// InputError.
   void keep(const Object& sweep, std::span<const std::uint8_t> imu) const;
+  bool has(const Object& sweep) const;
   /// The sweep did not get into the map.
   void drop(const Object& sweep) const;
 

@@ -11,6 +11,7 @@
 #include "common/messages/objects.h"
 #include "common/messages/params_message.h"
 #include "common/process/program.h"
+#include "modules/mapper/node/arrival_keeper.h"
 #include "modules/mapper/node/mapper_node.h"
 
 namespace scanway {
@@ -36,7 +37,11 @@ int run(const ProgramOptions& options) {
   LiveBusOptions live = live_bus_options(options);
   live.repeated = {std::string(channel::kPose.name)};
   std::optional<SweepStore> store;
-  if (!options.state.empty()) store.emplace(options.state);
+  std::optional<ArrivalKeeper> keeper;
+  if (!options.state.empty()) {
+    keeper.emplace(store.emplace(options.state));
+    live.tap = [&keeper](const BusMessage& message) { keeper->take(message); };
+  }
 
   LiveBus bus(lcm, who, live);
   MapperNode node(bus, robot);

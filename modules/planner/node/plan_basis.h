@@ -1,6 +1,10 @@
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
+#include <map>
 #include <optional>
+#include <string>
 
 #include <Eigen/Core>
 
@@ -36,5 +40,20 @@ const char* name_of(planning::BodyMode mode);
 
 /// A plan as a message. `basis` is complete.
 path_t path_message(const PlanBasis& basis, planning::BodyMode mode, const planning::PlanResult& result);
+
+/// The versions of PATH's objects: the plan's time, and never the same twice for a mode, so that a newer plan always
+/// replaces an older one.
+class PathVersions {
+ public:
+  std::int64_t next(const path_t& path) {
+    const auto newest = newest_.find(path.mode);
+    const std::int64_t version = newest == newest_.end() ? path.utime : std::max(path.utime, newest->second + 1);
+    newest_[path.mode] = version;
+    return version;
+  }
+
+ private:
+  std::map<std::string, std::int64_t> newest_;
+};
 
 }  // namespace scanway

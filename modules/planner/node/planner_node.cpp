@@ -173,7 +173,7 @@ path_t PlannerNode::plan(planning::BodyMode mode) {
   begin_stage(stages_, "plan");
   path_t message =
       path_message(basis_, mode, planner.plan(basis_.start->X_map_base.translation().head<2>(), basis_.goal->place));
-  publish_object(bus_, channel::kPath, encode(message), message.mode, message.utime, message.utime);
+  publish_object(bus_, channel::kPath, encode(message), message.mode, newest_.next(message), message.utime);
   return message;
 }
 

@@ -75,6 +75,7 @@ class PlannerNode {
   CostMapReplica replica_;
   OrderedMerge<Input> inputs_;
   std::optional<ProvisionalPlanner> provisional_;
+  PathVersions newest_;
   std::optional<path_t> without_embodiment_;
   std::optional<path_t> with_embodiment_;
   std::optional<Utime> newest_pose_;

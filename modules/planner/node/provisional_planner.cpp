@@ -49,7 +49,8 @@ void ProvisionalPlanner::plan(bool map_up_to_date) {
         basis_, mode.mode, mode.planner.plan(basis_.start->X_map_base.translation().head<2>(), basis_.goal->place));
     message.provisional = true;
     message.map_up_to_date = map_up_to_date;
-    publish_object(bus_, channel::kPath, encode(message), "provisional " + message.mode, message.utime, message.utime);
+    publish_object(bus_, channel::kPath, encode(message), "provisional " + message.mode, newest_.next(message),
+                   message.utime);
   }
 }
 

@@ -36,6 +36,7 @@ class ProvisionalPlanner {
   std::vector<Mode> modes_;
   CostMap map_;
   PlanBasis basis_;
+  PathVersions newest_;
   bool is_new_ = false;
   std::int64_t plans_ = 0;
 };

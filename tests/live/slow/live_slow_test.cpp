@@ -41,10 +41,10 @@ class LiveSlow : public testing::Test {
   const Session session_;
 };
 
-class Loss : public LiveSlow, public testing::WithParamInterface<const char*> {};
+class Loss : public LiveSlow, public testing::WithParamInterface<int> {};
 
 TEST_P(Loss, IsRepairedAndAddsUp) {
-  const auto played = run_on_two_machines({"-t", "300", "-l", GetParam()});
+  const auto played = run_on_two_machines({"-t", "300", "-l", std::to_string(GetParam())});
   if (played.status == 125) GTEST_SKIP() << "no pretend LAN here: " << played.err;
   EXPECT_EQ(played.status, 0) << played.err << session_.told();
   expect_same_end_as_replay();
@@ -55,8 +55,7 @@ TEST_P(Loss, IsRepairedAndAddsUp) {
   EXPECT_EQ(planner.at("given_up"), 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Percent, Loss, testing::Values("1", "5"),
-                         [](const auto& loss) { return "p" + std::string(loss.param); });
+INSTANTIATE_TEST_SUITE_P(Percent, Loss, testing::Values(1, 5), testing::PrintToStringParamName());
 
 TEST_F(LiveSlow, ALinkThatIsCutForTwentySecondsIsMadeUpFor) {
   const auto played = run_on_two_machines({"-t", "300"}, R"(

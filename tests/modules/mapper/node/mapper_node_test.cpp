@@ -1,0 +1,183 @@
+// When the mapper's node closes a sweep, what it says of it, and what it keeps over a restart. Its maps are tested with
+// the core.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "common/bus/channels.h"
+#include "common/bus/memory_bus.h"
+#include "common/messages/codec.h"
+#include "common/messages/imu_message.h"
+#include "common/messages/objects.h"
+#include "common/messages/sweep_message.h"
+#include "common/random/random.h"
+#include "modules/mapper/node/arrival_keeper.h"
+#include "modules/mapper/node/mapper_node.h"
+#include "modules/mapper/node/sweep_store.h"
+#include "scanway/registration_t.hpp"
+#include "tests/support/command.h"
+
+namespace scanway {
+namespace {
+
+constexpr Utime kStart = 1'700'000'000 * kMicrosecondsPerSecond;
+
+/// A floor and four walls around the sensor, which stands 1 m above the floor.
+Sweep room(Utime utime, const std::string& name) {
+  Random random(1);
+  Sweep sweep;
+  sweep.name = name;
+  sweep.utime = utime;
+  const auto add = [&](double x, double y, double z) {
+    sweep.cloud.points.emplace_back(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
+  };
+  for (int i = 0; i < 6000; ++i) {
+    const double u = 8.0 * random.uniform() - 4.0, v = 6.0 * random.uniform() - 3.0, h = 2.5 * random.uniform() - 1.0;
+    add(u, v, -1.0);
+    add(u, random.uniform() < 0.5 ? -3.0 : 3.0, h);
+    add(random.uniform() < 0.5 ? -4.0 : 4.0, v, h);
+  }
+  return sweep;
+}
+
+class MapperNodeTest : public testing::Test {
+ protected:
+  MapperNodeTest() { watch(bus_); }
+
+  void watch(MemoryBus& bus) {
+    bus.subscribe(channel::kSweepInputs.name,
+                  [this](const BusMessage& message) { inputs_.push_back(decode<sweep_inputs_t>(message.bytes)); });
+    bus.subscribe(channel::kCostMapIndex.name, [this](const BusMessage& message) {
+      const auto piece = decode<piece_t>(message.bytes);
+      versions_[piece.version] = piece.digest;
+    });
+  }
+  void send_imu(Bus& bus, Utime utime) {
+    bus.publish(channel::kImu.name, encode(imu_message(utime, Eigen::Quaterniond::Identity())), utime);
+  }
+  void send_sweep(Bus& bus, Utime utime, const std::string& name) {
+    publish_object(bus, channel::kSweep, encode(to_message(room(utime, name))), name, ++sent_, utime);
+  }
+
+  MemoryBus bus_;
+  std::vector<sweep_inputs_t> inputs_;
+  std::map<std::int64_t, std::int64_t> versions_;  // Digest of each version's index, as an object.
+  std::int64_t sent_ = 0;
+};
+
+TEST_F(MapperNodeTest, ASweepWaitsForTheOrientationThatFollowsIt) {
+  MapperNode node(bus_, Robot{});
+  send_imu(bus_, kStart - 10'000);
+  send_sweep(bus_, kStart, "a");
+  bus_.dispatch();
+  EXPECT_TRUE(inputs_.empty());
+  EXPECT_FALSE(node.state().settled);
+  send_imu(bus_, kStart + 10'000);
+  bus_.dispatch();
+  ASSERT_EQ(inputs_.size(), 1U);
+  EXPECT_EQ(inputs_[0].inputs[0].last_utime, kStart - 10'000);
+  EXPECT_EQ(node.state().map_version, 1);
+}
+
+TEST_F(MapperNodeTest, InSilenceASweepIsClosedAsAtTheEndOfALog) {
+  MapperNode node(bus_, Robot{});
+  send_imu(bus_, kStart - 10'000);
+  send_sweep(bus_, kStart, "a");
+  bus_.dispatch();
+  node.settle();
+  bus_.dispatch();
+  ASSERT_EQ(inputs_.size(), 1U);
+  EXPECT_EQ(inputs_[0].inputs[0].used_count, 1);
+  EXPECT_TRUE(node.state().settled);
+  const auto live = versions_;
+
+  MemoryBus replay_bus;
+  versions_.clear();
+  watch(replay_bus);
+  MapperNode replayed(replay_bus, Robot{});
+  sent_ = 0;
+  send_imu(replay_bus, kStart - 10'000);
+  send_sweep(replay_bus, kStart, "a");
+  replay_bus.dispatch();
+  replayed.finish();
+  replay_bus.dispatch();
+  EXPECT_EQ(versions_, live);
+}
+
+TEST_F(MapperNodeTest, WithoutATrackerASweepIsClosedAndThatIsSaid) {
+  MapperNode node(bus_, Robot{});
+  send_sweep(bus_, kStart, "a");
+  bus_.dispatch();
+  node.settle();
+  bus_.dispatch();
+  ASSERT_EQ(inputs_.size(), 1U);
+  EXPECT_EQ(inputs_[0].inputs[0].used_count, 0);
+  EXPECT_EQ(node.counters().at("mapper_sweeps_without_orientation"), 1);
+  EXPECT_NE(node.summary().find("no orientation"), std::string::npos);
+}
+
+TEST_F(MapperNodeTest, ANodeThatIsStartedAgainHasTheSameMap) {
+  const test::ScratchFolder scratch;
+  const SweepStore store(scratch / "state");
+  ArrivalKeeper keeper(store);
+  for (const Channel& input : {channel::kImu, channel::kSweep}) {
+    bus_.subscribe(input.name, [&keeper](const BusMessage& message) { keeper.take(message); });
+  }
+  MapperNode node(bus_, Robot{});
+  node.restore(store);
+  send_imu(bus_, kStart - 10'000);
+  send_sweep(bus_, kStart, "a");
+  send_imu(bus_, kStart + 10'000);
+  send_sweep(bus_, kStart + 20'000'000, "b");  // Has no orientation, and waits for one.
+  bus_.dispatch();
+  EXPECT_EQ(versions_.size(), 1U);
+  EXPECT_EQ(store.logs().size(), 2U);
+
+  MemoryBus bus;
+  MapperNode again(bus, Robot{});
+  watch(bus);
+  const auto inputs_before = std::exchange(inputs_, {});
+  const auto before = std::exchange(versions_, {});
+  again.restore(store);
+  bus.dispatch();
+  ASSERT_EQ(inputs_.size(), 2U);
+  EXPECT_EQ(inputs_[0].sweep_digest, inputs_before[0].sweep_digest);
+  EXPECT_EQ(inputs_[0].inputs[0].used_digest, inputs_before[0].inputs[0].used_digest);
+  EXPECT_EQ(versions_.at(1), before.at(1));
+  node.settle();
+  bus_.dispatch();
+  EXPECT_EQ(again.state().map_version, node.state().map_version);
+  EXPECT_EQ(again.state().map_digest, node.state().map_digest);
+  const auto known = versions_;
+  send_sweep(bus, kStart, "a");  // Sent once more: it is known.
+  bus.dispatch();
+  again.settle();
+  bus.dispatch();
+  EXPECT_EQ(versions_, known);
+}
+
+TEST_F(MapperNodeTest, AStateThatIsDamagedIsSaid) {
+  const test::ScratchFolder scratch;
+  const SweepStore store(scratch / "state");
+  {
+    MapperNode node(bus_, Robot{});
+    node.restore(store);
+    send_sweep(bus_, kStart, "a");
+    bus_.dispatch();
+    node.settle();
+  }
+  const std::string log = store.logs().at(0);
+  std::filesystem::resize_file(log, std::filesystem::file_size(log) / 2);
+  MemoryBus bus;
+  MapperNode again(bus, Robot{});
+  again.restore(store);
+  EXPECT_EQ(again.state().map_version, 0);
+  EXPECT_NE(again.summary().find("cut off"), std::string::npos) << again.summary();
+}
+
+}  // namespace
+}  // namespace scanway
