@@ -21,36 +21,35 @@ inline void mark(State& state, std::size_t lane, MortonCode mirrored, VoxelBrick
   state.free[lane][code / 64 % kBrickWords] |= std::uint64_t{1} << (code % 64);
 }
 
-/// step() of all lanes at once, so many times.
+/// One step of every lane, without a branch; plain loops, so that the compiler makes of them what each CPU can.
+inline void step_all(State& state) {
+  double* const x = state.border_m[0];
+  double* const y = state.border_m[1];
+  double* const z = state.border_m[2];
+#pragma GCC unroll 1
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    const bool x_first = x[i] < y[i];
+    const bool along_x = x_first & (x[i] < z[i]);
+    const bool along_y = !x_first & (y[i] < z[i]);
+    const bool along_z = !(along_x | along_y);
+    const double next_x = x[i] + state.between_m[0][i];
+    const double next_y = y[i] + state.between_m[1][i];
+    const double next_z = z[i] + state.between_m[2][i];
+    x[i] = along_x ? next_x : x[i];
+    y[i] = along_y ? next_y : y[i];
+    z[i] = along_z ? next_z : z[i];
+    const MortonCode bits = along_x ? kAxisBits[0] : along_y ? kAxisBits[1] : kAxisBits[2];
+    const MortonCode code = state.code[i];
+    state.code[i] = (((code | ~bits) + (bits & 7)) & bits) | (code & ~bits);
+  }
+}
+
 __attribute__((target_clones("default", "avx2", "avx512f"))) void walk(State& state, std::int64_t steps,
                                                                        VoxelBricks& bricks) {
-  using Reals = double __attribute__((vector_size(8 * kLanes)));
-  using Codes = std::uint64_t __attribute__((vector_size(8 * kLanes)));
-  Reals x, y, z, dx, dy, dz;
-  Codes code;
-  std::memcpy(&x, state.border_m[0], sizeof(x));
-  std::memcpy(&y, state.border_m[1], sizeof(y));
-  std::memcpy(&z, state.border_m[2], sizeof(z));
-  std::memcpy(&dx, state.between_m[0], sizeof(x));
-  std::memcpy(&dy, state.between_m[1], sizeof(y));
-  std::memcpy(&dz, state.between_m[2], sizeof(z));
-  std::memcpy(&code, state.code, sizeof(code));
   for (std::int64_t s = 0; s < steps; ++s) {
-    const auto along_x = (x < y) & (x < z);
-    const auto along_z = ~along_x & ~((y < z) & ~(x < y));
-    const auto along_y = ~(along_x | along_z);
-    x = along_x ? x + dx : x;
-    y = along_y ? y + dy : y;
-    z = along_z ? z + dz : z;
-    const Codes bits = along_x ? Codes{} + kAxisBits[0] : along_y ? Codes{} + kAxisBits[1] : Codes{} + kAxisBits[2];
-    const Codes one = bits & (Codes{} + 7);
-    code = (((code | ~bits) + one) & bits) | (code & ~bits);
-    std::memcpy(state.code, &code, sizeof(code));
+    step_all(state);
     for (std::size_t lane = 0; lane < kLanes; ++lane) mark(state, lane, state.code[lane], bricks);
   }
-  std::memcpy(state.border_m[0], &x, sizeof(x));
-  std::memcpy(state.border_m[1], &y, sizeof(y));
-  std::memcpy(state.border_m[2], &z, sizeof(z));
 }
 
 }  // namespace

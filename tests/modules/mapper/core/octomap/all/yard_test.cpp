@@ -1,0 +1,17 @@
+#include <gtest/gtest.h>
+
+#include "tests/bench/mapping/yard/yard.h"
+#include "tests/modules/mapper/core/octomap/support/reference.h"
+
+namespace scanway {
+namespace {
+
+TEST(Yard, ThreeLargeSweepsInARowAreThoseOfLiboctomap) {
+  std::vector<MapPoints> sweeps;
+  for (int i = 0; i < 3; ++i) sweeps.push_back(bench::yard_sweep(i, bench::kFullRound / 2, bench::kFullUp / 2));
+  const OccupancyTreeConfig config{0.05, -1.0, false};
+  EXPECT_TRUE(files_of_ours(sweeps, config) == files_of_liboctomap(sweeps, config));
+}
+
+}  // namespace
+}  // namespace scanway
