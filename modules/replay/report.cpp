@@ -66,35 +66,42 @@ std::string path_line(const char* name, const PathReport& path) {
                      path.clearance_m, 100.0 * path.unknown_share);
 }
 
-/// Every stage that any scan went through, in the order in which they first came.
-std::vector<std::string> stages_of(const std::vector<ScanReport>& scans) {
-  std::vector<std::string> stages;
-  for (const ScanReport& scan : scans) {
-    for (const auto& [stage, seconds] : scan.seconds) {
-      if (std::find(stages.begin(), stages.end(), stage) == stages.end()) stages.push_back(stage);
-    }
-  }
-  return stages;
+/// Columns of the table, and the stages that each adds up; report.json has every stage by itself.
+struct Column {
+  const char* name;
+  std::vector<const char*> stages;
+};
+const std::vector<Column>& columns() {
+  static const std::vector<Column> kColumns = {
+      {"features", {"prepare", "voxels", "surfaces", "neighbours", "normals", "fpfh"}},
+      {"coarse", {"matching", "hypotheses", "checks"}},
+      {"icp", {"icp", "verdict"}},
+      {"merge", {"merge"}},
+      {"octomap", {"octomap"}},
+      {"ground", {"ground"}},
+      {"cost map", {"cost_map", "embodiment"}},
+  };
+  return kColumns;
 }
 
-std::string seconds_of(const ScanReport& scan, const std::string& stage) {
-  for (const auto& [name, seconds] : scan.seconds) {
-    if (name == stage) return fmt::format("{:.2f}", seconds);
+std::string seconds_of(const ScanReport& scan, const Column& column) {
+  double sum = 0.0;
+  bool any = false;
+  for (const auto& [stage, seconds] : scan.seconds) {
+    if (std::find(column.stages.begin(), column.stages.end(), stage) == column.stages.end()) continue;
+    sum += seconds;
+    any = true;
   }
-  return "-";
+  return any ? fmt::format("{:.2f}", sum) : "-";
 }
 
-std::size_t column_width(const std::string& stage) { return std::max<std::size_t>(stage.size(), 5) + 2; }
-
-std::string scan_row(const ReplayReport& report, const ScanReport& scan, const std::vector<std::string>& stages) {
-  std::string row = fmt::format("{:<12} {:<9} {:>5.2f}", printable(scan.name), scan.accepted ? "accepted" : "refused",
+std::string scan_row(const ReplayReport& report, const ScanReport& scan) {
+  std::string row = fmt::format("{:<12} {:<8} {:>5.2f}", printable(scan.name), scan.accepted ? "accepted" : "refused",
                                 scan.probability);
-  if (const auto error = pose_error(report, scan)) {
-    row += fmt::format(" {:>8.3f} {:>9.2f}", error->translation_m, degrees(error->rotation));
-  } else {
-    row += fmt::format(" {:>8} {:>9}", "-", "-");
-  }
-  for (const std::string& stage : stages) row += fmt::format("{:>{}}", seconds_of(scan, stage), column_width(stage));
+  const auto error = pose_error(report, scan);
+  row += error ? fmt::format(" {:>7.3f} {:>9.2f}", error->translation_m, degrees(error->rotation))
+               : fmt::format(" {:>7} {:>9}", "-", "-");
+  for (const Column& column : columns()) row += fmt::format(" {:>8}", seconds_of(scan, column));
   row += "\n";
   if (!scan.accepted) row += fmt::format("             {}\n", printable(scan.reason));
   return row;
@@ -126,11 +133,11 @@ std::string report_json(const ReplayReport& report) {
 }
 
 std::string report_table(const ReplayReport& report) {
-  const std::vector<std::string> stages = stages_of(report.scans);
-  std::string table = fmt::format("{:<12} {:<9} {:>5} {:>8} {:>9}", "scan", "verdict", "prob.", "error m", "error deg");
-  for (const std::string& stage : stages) table += fmt::format("{:>{}}", stage, column_width(stage));
-  table += stages.empty() ? "\n" : "   (seconds)\n";
-  for (const ScanReport& scan : report.scans) table += scan_row(report, scan, stages);
+  std::string table = fmt::format("{:<27} {:>17}  seconds\n", "", "error");
+  table += fmt::format("{:<12} {:<8} {:>5} {:>7} {:>9}", "scan", "verdict", "prob.", "m", "degrees");
+  for (const Column& column : columns()) table += fmt::format(" {:>8}", column.name);
+  table += "\n";
+  for (const ScanReport& scan : report.scans) table += scan_row(report, scan);
   table += path_line("without embodiment:", report.path_without_embodiment);
   table += path_line("with embodiment:", report.path_with_embodiment);
   return table;
