@@ -49,6 +49,7 @@ TEST_P(Loss, IsRepairedAndAddsUp) {
   EXPECT_EQ(played.status, 0) << played.err << session_.told();
   expect_same_end_as_replay();
   const auto planner = session_.counters("planner"), mapper = session_.counters("mapper");
+  std::puts(lines_of(session_.text("observed.txt"), "SECONDS").c_str());
   EXPECT_GT(planner.at("repaired"), 0);
   EXPECT_GE(mapper.at("pieces_resent"), planner.at("repaired"));
   EXPECT_EQ(planner.at("lacking"), 0);

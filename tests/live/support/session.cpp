@@ -92,7 +92,8 @@ std::string lines_of(const std::string& products, const std::string& channel) {
   std::string lines;
   std::istringstream stream(products);
   for (std::string line; std::getline(stream, line);) {
-    const bool is_product = !line.starts_with("HEALTH ") && !line.starts_with("SUMMARY ");
+    const bool is_product =
+        !line.starts_with("HEALTH ") && !line.starts_with("SUMMARY ") && !line.starts_with("SECONDS ");
     if (channel.empty() ? is_product : line.starts_with(channel + " ")) lines += line + "\n";
   }
   return lines;

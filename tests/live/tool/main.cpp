@@ -58,7 +58,12 @@ int observe(const std::string& url, std::int64_t version, double seconds) {
     while (!ready() && steady_now() < end) bus.dispatch(Milliseconds(50));
     return ready();
   };
+  wait([&] { return products.begun(version); });
+  const SteadyTime begun = steady_now();
+  wait([&] { return products.cost_map_complete(version); });
+  const SteadyTime equal = steady_now();
   const bool complete = wait([&] { return products.complete(version); });
+  std::printf("SECONDS from the first tile of the version to the whole cost map: %.2f\n", to_seconds(equal - begun));
   // What is still on its way, and everybody's last word.
   const SteadyTime quiet = steady_now() + 3'000'000;
   wait([&] { return steady_now() > quiet; });

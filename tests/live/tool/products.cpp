@@ -33,7 +33,11 @@ void Products::take(const BusMessage& message) {
   const bool wanted = std::any_of(std::begin(kProducts), std::end(kProducts),
                                   [&](const Channel& product) { return product.name == channel; });
   if (!wanted) return;
-  const std::optional<Object> object = assemblers_[channel].add(decode<piece_t>(message.bytes));
+  const auto piece = decode<piece_t>(message.bytes);
+  if (channel == channel::kCostMapTile.name && piece.key != "hostile") {
+    newest_tile_ = std::max(newest_tile_, piece.version);
+  }
+  const std::optional<Object> object = assemblers_[channel].add(piece);
   if (!object || object->key.starts_with("provisional")) return;
   try {
     note(channel, *object);
@@ -54,10 +58,14 @@ bool Products::has(const std::string& channel, const std::string& key, std::int6
 }
 
 bool Products::complete(std::int64_t version) const {
-  const auto index = indices_.find(version);
-  if (index == indices_.end() || !has("OCTOMAP", "map", version)) return false;
   const auto paths = paths_.find(version);
-  if (paths == paths_.end() || paths->second < kModes) return false;
+  return cost_map_complete(version) && has("OCTOMAP", "map", version) && paths != paths_.end() &&
+         paths->second >= kModes;
+}
+
+bool Products::cost_map_complete(std::int64_t version) const {
+  const auto index = indices_.find(version);
+  if (index == indices_.end()) return false;
   return std::all_of(index->second.tiles.begin(), index->second.tiles.end(), [this](const cost_tile_entry_t& tile) {
     return has("COST_MAP_TILE", tile_key({tile.tile_x, tile.tile_y}), tile.map_version);
   });

@@ -19,7 +19,11 @@ class Products {
   void listen(Bus& bus);
   void take(const BusMessage& piece);
 
-  /// Whether a version of the map is here with all its tiles, its OctoMap and its paths.
+  /// Whether the index of a version of the cost map, or a tile of it, has begun to come.
+  bool begun(std::int64_t version) const { return newest_tile_ >= version; }
+  /// Whether a version of the cost map is here with all its tiles.
+  bool cost_map_complete(std::int64_t version) const;
+  /// The same, with its OctoMap and its paths.
   bool complete(std::int64_t version) const;
   /// A line an object: channel, key, version, digest; of tiles the newest version only.
   std::string text() const;
@@ -36,6 +40,7 @@ class Products {
   std::map<std::int64_t, cost_map_index_t> indices_;
   std::map<std::int64_t, int> paths_;  // By the version of the map.
   std::size_t lies_ = 0;
+  std::int64_t newest_tile_ = 0;
 };
 
 }  // namespace scanway::test
