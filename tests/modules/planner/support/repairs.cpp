@@ -153,7 +153,7 @@ NearRobotEffort change_near_robot(const std::string& name, std::size_t stride) {
       const Cell robot = cell_on(whole, whole.path.size() * fifth / 5);
       for (const std::int32_t side : {1, 3}) {
         const PlanResult rest = drive.plan(robot);
-        // Every cell is on the path twice, with two headings, where it turns: 5 to 28 cells ahead.
+        // Every cell is on the path twice, with two headings, where it turns: at most 28 cells ahead.
         const std::size_t ahead = 10 + 2 * random.below(10);
         drive.block(robot, cell_on(rest, std::min(ahead, rest.path.size() / 2)), side, effort);
       }
