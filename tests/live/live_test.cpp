@@ -27,12 +27,20 @@ TEST_F(Live, ALogPlayedIntoProcessesGivesWhatReplayGives) {
     begin mapper
     begin planner
     observe 2 120
+    lcm-logger -q "$WORK/recorded.lcmlog" 2>"$WORK/logger.err" & logger=$!
+    sleep 1
     lcm-logplayer -s 4 "$LOG" || exit 1
-    finish)");
+    finish || exit 1
+    kill -INT $logger
+    wait $logger || exit 1
+    "$BIN/scanway" replay "$WORK/recorded.lcmlog" -o "$WORK/replayed" >/dev/null || exit 1
+    "$BIN/scanway-live-tool" digests "$WORK/replayed/out.lcmlog" >"$WORK/replayed.txt")");
   EXPECT_EQ(played.status, 0) << played.err << session_.told();
   expect_same_as_replay();
   EXPECT_EQ(session_.counters("planner").at("planner_map_behind"), 0);
   EXPECT_EQ(session_.counters("mapper").at("bad_messages"), 0);
+  // What lcm-logger recorded of the session replays to the same.
+  EXPECT_EQ(lines_of(session_.text("replayed.txt"), ""), lines_of(ShortLog::get().products, ""));
 }
 
 TEST_F(Live, TwoMachinesAgree) {
@@ -72,7 +80,8 @@ TEST_F(Live, LiesOnEveryChannelAreRefusedAndCountedAndNothingElseChanges) {
   EXPECT_GT(session_.counters("mapper").at("bad_messages"), 300);
   EXPECT_GT(session_.counters("planner").at("bad_messages"), 300);
   EXPECT_GT(session_.counters("planner").at("planner_bad_messages"), 100);  // Good pieces of bad objects.
-  EXPECT_LT(std::stol(session_.text("grown_kb")), 32'000);                  // A thousand lies of up to 2 GB each.
+  std::printf("both processes grew by %ld kB\n", std::stol(session_.text("grown_kb")));
+  EXPECT_LT(std::stol(session_.text("grown_kb")), 8000);  // Thousands of lies of up to 2 GB each.
 }
 
 struct Refusal {
