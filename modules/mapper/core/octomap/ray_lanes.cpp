@@ -32,12 +32,9 @@ inline void step_all(State& state) {
     const bool along_x = x_first & (x[i] < z[i]);
     const bool along_y = !x_first & (y[i] < z[i]);
     const bool along_z = !(along_x | along_y);
-    const double next_x = x[i] + state.between_m[0][i];
-    const double next_y = y[i] + state.between_m[1][i];
-    const double next_z = z[i] + state.between_m[2][i];
-    x[i] = along_x ? next_x : x[i];
-    y[i] = along_y ? next_y : y[i];
-    z[i] = along_z ? next_z : z[i];
+    x[i] += along_x ? state.between_m[0][i] : 0.0;
+    y[i] += along_y ? state.between_m[1][i] : 0.0;
+    z[i] += along_z ? state.between_m[2][i] : 0.0;
     const MortonCode bits = along_x ? kAxisBits[0] : along_y ? kAxisBits[1] : kAxisBits[2];
     const MortonCode code = state.code[i];
     state.code[i] = (((code | ~bits) + (bits & 7)) & bits) | (code & ~bits);

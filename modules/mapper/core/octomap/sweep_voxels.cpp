@@ -83,8 +83,8 @@ VoxelBricks sweep_voxels(const std::vector<Eigen::Vector3f>& points, const octom
   for_blocks(ends.size(), kRaysInBlock, [&](std::size_t begin, std::size_t end, std::size_t) {
     tracer.trace(ends, begin, end, of_thread.local());
   });
-  VoxelBricks all;
-  for (VoxelBricks& bricks : of_thread) all.merge(std::move(bricks));
+  VoxelBricks all = std::move(of_thread.local());
+  for (VoxelBricks& bricks : of_thread) all.merge(bricks);
   return all;
 }
 

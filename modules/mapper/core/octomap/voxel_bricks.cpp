@@ -21,17 +21,23 @@ MortonCode morton_code(const octomap::OcTreeKey& key) {
   return spread(key[0]) | spread(key[1]) << 1 | spread(key[2]) << 2;
 }
 
-VoxelBricks::VoxelBricks() : tables_(std::size_t{1} << (3 * kTreeLevels - kBrickBits - kTableBits)) {}
-
 VoxelBrick& VoxelBricks::at(BrickNumber number) {
-  Table& table = tables_[number >> kTableBits];
-  if (table.empty()) table.resize(std::size_t{1} << kTableBits);
-  std::unique_ptr<VoxelBrick>& brick = table[number & ((BrickNumber{1} << kTableBits) - 1)];
-  if (!brick) {
-    brick = std::make_unique<VoxelBrick>();
+  std::unique_ptr<Tables>& tables = tables_[number >> (2 * kTableBits)];
+  if (!tables) tables = std::make_unique<Tables>();
+  std::unique_ptr<Bricks>& bricks = (*tables)[number >> kTableBits & (kTableSize - 1)];
+  if (!bricks) bricks = std::make_unique<Bricks>();
+  VoxelBrick*& brick = (*bricks)[number & (kTableSize - 1)];
+  if (brick == nullptr) {
+    brick = next_brick();
     numbers_.push_back(number);
   }
   return *brick;
+}
+
+VoxelBrick* VoxelBricks::next_brick() {
+  const std::size_t in_slab = numbers_.size() % kBricksInSlab;
+  if (in_slab == 0) slabs_.push_back(std::make_unique<VoxelBrick[]>(kBricksInSlab));
+  return &slabs_.back()[in_slab];
 }
 
 bool VoxelBricks::insert_occupied(MortonCode code) {
@@ -42,10 +48,10 @@ bool VoxelBricks::insert_occupied(MortonCode code) {
   return is_new;
 }
 
-void VoxelBricks::merge(VoxelBricks&& other) {
-  for (const BrickNumber number : other.numbers_) {
-    VoxelBrick& to = at(number);
-    const VoxelBrick& from = other.at(number);
+void VoxelBricks::merge(const VoxelBricks& other) {
+  for (std::size_t n = 0; n < other.numbers_.size(); ++n) {
+    VoxelBrick& to = at(other.numbers_[n]);
+    const VoxelBrick& from = other.slabs_[n / kBricksInSlab][n % kBricksInSlab];
     for (std::size_t w = 0; w < kBrickWords; ++w) {
       to.free[w] |= from.free[w];
       to.occupied[w] |= from.occupied[w];

@@ -26,7 +26,7 @@ constexpr MortonCode morton_code(std::uint16_t x, std::uint16_t y, std::uint16_t
 }
 MortonCode morton_code(const octomap::OcTreeKey& key);
 
-constexpr int kBrickLevel = 5;  ///< A brick is a cube of 2^5 voxels a side.
+constexpr int kBrickLevel = 4;  ///< A brick is a cube of 2^4 voxels a side.
 constexpr int kBrickBits = 3 * kBrickLevel;
 constexpr std::size_t kBrickWords = (std::size_t{1} << kBrickBits) / 64;
 
@@ -37,28 +37,33 @@ struct VoxelBrick {
   std::array<std::uint64_t, kBrickWords> occupied{};
 };
 
-/// The bricks that a sweep touches. A trie of two tables finds one, for a hash would be most of a ray's cost.
+/// The bricks that a sweep touches. A trie of three tables finds one, for a hash would be most of a ray's cost.
 class VoxelBricks {
  public:
   using BrickNumber = std::uint64_t;  ///< The Morton code of its voxels without the last kBrickBits bits.
-
-  VoxelBricks();
 
   /// The brick of that number; it is made when there is none.
   VoxelBrick& at(BrickNumber number);
   /// Whether the voxel was not yet occupied.
   bool insert_occupied(MortonCode code);
   /// Adds the bits of `other`. The order of merging does not matter.
-  void merge(VoxelBricks&& other);
+  void merge(const VoxelBricks& other);
 
   /// In increasing order: depth first through the tree.
   std::vector<BrickNumber> numbers() const;
 
  private:
-  static constexpr int kTableBits = 18;
-  using Table = std::vector<std::unique_ptr<VoxelBrick>>;
+  static constexpr int kTableBits = (3 * kTreeLevels - kBrickBits) / 3;
+  static constexpr std::size_t kTableSize = std::size_t{1} << kTableBits;
+  static constexpr std::size_t kBricksInSlab = 64;
+  using Bricks = std::array<VoxelBrick*, kTableSize>;
+  using Tables = std::array<std::unique_ptr<Bricks>, kTableSize>;
 
-  std::vector<Table> tables_;
+  VoxelBrick* next_brick();
+
+  std::array<std::unique_ptr<Tables>, kTableSize> tables_;
+  // Of slabs, for single bricks among the small nodes of a tree make the heap's work long.
+  std::vector<std::unique_ptr<VoxelBrick[]>> slabs_;
   std::vector<BrickNumber> numbers_;
 };
 

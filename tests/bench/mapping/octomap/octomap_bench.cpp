@@ -90,17 +90,17 @@ void compare(const std::string& name, const std::vector<MapPoints>& sweeps, cons
 int main(int argc, char** argv) {
   using namespace scanway;
   using namespace scanway::bench;
-  if (argc < 2) return std::fprintf(stderr, "usage: octomap_bench DATA_FOLDER [YARD_SWEEPS]\n"), 2;
+  if (argc != 2) return std::fprintf(stderr, "usage: octomap_bench DATA_FOLDER | octomap_bench yard\n"), 2;
   std::puts(
       "| sweeps | resolution, m | rays | liboctomap, CPU s | ours, CPU s | times less | 2 threads | same bytes |");
   std::puts("|---|---|---|---|---|---|---|---|");
+  if (std::string(argv[1]) == "yard") {
+    compare("yard, 3.4 M points", {yard_sweep(0, kFullRound, kFullUp)}, {0.05, -1.0, false});
+    return 0;
+  }
   const std::vector<MapPoints> sweeps = halls(std::string(argv[1]) + "/hall_scans_a");
   for (const double resolution : {0.1, 0.05}) {
     for (const bool discretize : {false, true}) compare("halls", sweeps, {resolution, -1.0, discretize});
   }
-  std::vector<MapPoints> yard;
-  const int yards = argc > 2 ? std::atoi(argv[2]) : 1;
-  for (int i = 0; i < yards; ++i) yard.push_back(yard_sweep(i, kFullRound, kFullUp));
-  if (yards > 0) compare("yard, 3.4 M points", yard, {0.05, -1.0, false});
   return 0;
 }
