@@ -90,7 +90,11 @@ void PlannerNode::take_index(const BusMessage& message) {
 void PlannerNode::take_goal(const BusMessage& message) {
   try {
     const auto goal = decode<goal_t>(message.bytes);
-    take(kGoalInput, goal.utime, Goal{goal.utime, goal_of(goal)});
+    const Goal wanted{goal.utime, goal_of(goal)};
+    if (newest_goal_ && newest_goal_->utime == wanted.utime && newest_goal_->place == wanted.place)
+      return;  // Repeated.
+    newest_goal_ = wanted;
+    take(kGoalInput, wanted.utime, wanted);
   } catch (const BadMessage&) {
     ++bad_messages_;
   }

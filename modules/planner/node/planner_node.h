@@ -79,6 +79,7 @@ class PlannerNode {
   std::optional<path_t> without_embodiment_;
   std::optional<path_t> with_embodiment_;
   std::optional<Utime> newest_pose_;
+  std::optional<Goal> newest_goal_;
   std::optional<map_state_t> mapper_;  // What it said since the last settle().
   bool outdated_ = false;
   std::size_t news_ = 0;

@@ -35,6 +35,7 @@ class LiveSlow : public testing::Test {
     begin planner
     "$BIN/scanway-live-tool" observe "$LCM_DEFAULT_URL" 2 150 >"$WORK/observed.txt" 2>"$WORK/observer.err" &
     pid_observer=$!
+    lcm-logplayer -s 4 -e GOAL "$LOG"  # The operator is on this side: a goal is said once, and nobody repeats it.
     touch "$LAN_DIR/planner-ready"
     )" + meanwhile + "\nfinish"});
   }

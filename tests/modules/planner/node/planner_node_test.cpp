@@ -205,7 +205,7 @@ TEST_F(PlannerNodeTest, WhatIsLateIsCountedAndCountsAllTheSame) {
   EXPECT_EQ(node.map().tiles.size(), floor_of(2).tiles.size());
 }
 
-TEST_F(PlannerNodeTest, ARepeatedPoseIsNoNews) {
+TEST_F(PlannerNodeTest, ARepeatedPoseOrGoalIsNoNews) {
   PlannerNode node(bus_, Robot{}, nullptr, PlannerNode::Pace::live);
   send_pose(kStart);
   bus_.dispatch();
@@ -213,6 +213,10 @@ TEST_F(PlannerNodeTest, ARepeatedPoseIsNoNews) {
   send_pose(kStart);
   bus_.dispatch();
   EXPECT_EQ(node.news(), news);
+  send_goal(kStart, 1.0);
+  send_goal(kStart, 1.0);
+  bus_.dispatch();
+  EXPECT_EQ(node.news(), news + 1);
   EXPECT_EQ(node.counters().at("planner_late_poses"), 0);
 }
 
