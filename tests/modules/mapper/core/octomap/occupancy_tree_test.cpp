@@ -37,7 +37,7 @@ TEST_P(RandomScenes, AreThoseOfLiboctomap) {
   for (int scene = 0; scene < 35; ++scene) {
     Random random(static_cast<std::uint64_t>(GetParam() * 1000 + scene));
     const double resolution = std::array{0.1, 0.05, 0.02}[random.below(3)];
-    const double side = resolution * between(random, 5.0, 60.0);
+    const double side = resolution * between(random, 5.0, 45.0);
     const double far = scene % 4 == 0 ? 20000.0 * resolution : 30.0 * resolution;
     const Eigen::Vector3d centre(between(random, -far, far), between(random, -far, far), between(random, -far, far));
     const double max_range = scene % 3 == 0 ? side * between(random, 0.3, 1.2) : -1.0;

@@ -70,7 +70,7 @@ TEST(Halls, TwoScansInARowAreThoseOfLiboctomap) {
     }
   }
   expect_liboctomap(sweeps, {0.1, -1.0, false});
-  expect_liboctomap(sweeps, {0.1, 20.0, true});
+  expect_liboctomap(sweeps, {0.2, 20.0, true});
 }
 
 }  // namespace
