@@ -19,6 +19,7 @@
 #include "modules/tools/decode_xsens.h"
 #include "modules/tools/import_clouds.h"
 #include "modules/tools/info.h"
+#include "modules/tools/octomap_clouds.h"
 #include "modules/tools/plan.h"
 #include "modules/tools/register.h"
 #include "modules/tools/replay.h"
@@ -107,6 +108,21 @@ void add_plan(CLI::App& app, Action& action) {
   command->callback([&action] { action = [] { return run_plan(options); }; });
 }
 
+void add_octomap(CLI::App& app, Action& action) {
+  static OctomapOptions options;
+  CLI::App* command = app.add_subcommand("octomap", "The OctoMap of clouds at known poses");
+  command->add_option("clouds", options.clouds, "The clouds, in the order of insertion")->required();
+  command->add_option("--poses", options.poses, "Poses of the clouds: name and 3x4 matrix, a line a cloud")->required();
+  command->add_option("--resolution", options.resolution_m, "Edge of a voxel, m")
+      ->required()
+      ->check(CLI::Range(0.001, 100.0));
+  command->add_option("--max-range", options.max_range_m, "Beams are cut off here, m (default: they are not)");
+  command->add_flag("--discretize", options.discretize, "One ray a voxel that is hit, instead of one a point");
+  command->add_option("-o,--output", options.output, "MAP.ot or MAP.bt")->required();
+  command->add_flag("--json", options.json, "One JSON document on stdout");
+  command->callback([&action] { action = [] { return run_octomap(options); }; });
+}
+
 void add_replay(CLI::App& app, Action& action) {
   static ReplayOptions options;
   CLI::App* command = app.add_subcommand("replay", "A log in; map, cost map, path and pictures out");
@@ -163,6 +179,7 @@ int run(int argc, char** argv) {
   add_import(app, action);
   add_register(app, action);
   add_plan(app, action);
+  add_octomap(app, action);
   add_replay(app, action);
   add_info(app, action);
   add_decode(app, action);
