@@ -37,9 +37,10 @@ inline constexpr Channel kTiming{"TIMING", "scanway.timing_t", false};
 
 /// All of them. Of data with the same time, those of the channel that stands first here go first (ordered_merge.h).
 inline constexpr Channel kChannels[] = {
-    channel::kParams,       channel::kImu,  channel::kSweep,     channel::kReferencePose, channel::kSweepInputs,
-    channel::kRegistration, channel::kPose, channel::kCloudTile, channel::kOctomap,       channel::kCostMapTile,
-    channel::kCostMapIndex, channel::kGoal, channel::kPath,      channel::kHealth,        channel::kTiming,
+    channel::kParams,       channel::kImu,    channel::kSweep,     channel::kReferencePose, channel::kSweepInputs,
+    channel::kRegistration, channel::kPose,   channel::kCloudTile, channel::kOctomap,       channel::kCostMapTile,
+    channel::kCostMapIndex, channel::kGoal,   channel::kPath,      channel::kMapState,      channel::kObjectIndex,
+    channel::kPieceRequest, channel::kHealth, channel::kTiming,
 };
 
 /// The channel of that name, or nullptr.

@@ -29,7 +29,7 @@ TEST_F(Live, ALogPlayedIntoProcessesGivesWhatReplayGives) {
     observe 2 120
     lcm-logger -q "$WORK/recorded.lcmlog" 2>"$WORK/logger.err" & logger=$!
     sleep 1
-    lcm-logplayer -s 4 "$LOG" || exit 1
+    lcm-logplayer "$LOG" || exit 1
     finish || exit 1
     kill -INT $logger
     wait $logger || exit 1
@@ -48,7 +48,7 @@ TEST_F(Live, TwoMachinesAgree) {
     begin mapper
     touch "$LAN_DIR/mapper-ready"
     while [ ! -e "$LAN_DIR/planner-ready" ]; do sleep 0.1; done
-    lcm-logplayer -s 4 "$LOG"
+    lcm-logplayer "$LOG"
     wait $pid_mapper)",
                                                           R"(
     while [ ! -e "$LAN_DIR/mapper-ready" ]; do sleep 0.1; done
@@ -71,7 +71,7 @@ TEST_F(Live, LiesOnEveryChannelAreRefusedAndCountedAndNothingElseChanges) {
     "$BIN/scanway-live-tool" hostile "$LCM_DEFAULT_URL" || exit 1
     sleep 2
     echo $(($(resident $pid_mapper) + $(resident $pid_planner) - before)) >"$WORK/grown_kb"
-    lcm-logplayer -s 4 "$LOG" || exit 1
+    lcm-logplayer "$LOG" || exit 1
     finish)");
   EXPECT_EQ(played.status, 0) << played.err << session_.told();
   for (const char* channel : {"COST_MAP_INDEX index", "OCTOMAP map", "PATH point", "PATH footprint"}) {
