@@ -25,8 +25,8 @@ T decode(std::span<const std::uint8_t> bytes) {
   return message;
 }
 
-/// The bytes of a message. Throws std::invalid_argument when the message contradicts itself (an array shorter or longer
-/// than its length member says, a string with a zero byte) or is 2 GB or more.
+/// The bytes of a message. Each array must be as long as its length member says: LCM's encoder reads that many, and
+/// cannot tell. Throws std::invalid_argument for a string with a zero byte and for a message of 2 GB or more.
 template <class T>
 std::vector<std::uint8_t> encode(const T& message) {
   const int size = message.getEncodedSize();
