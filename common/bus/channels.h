@@ -16,6 +16,10 @@ namespace channel {
 
 inline constexpr Channel kParams{"PARAMS", "scanway.params_t", true};
 inline constexpr Channel kImu{"IMU", "bot_core.ins_t", false};
+inline constexpr Channel kPanTiltState{"PAN_TILT_STATE", "bot_core.joint_state_t", false};
+inline constexpr Channel kOdometry{"ODOMETRY", "bot_core.pose_t", false};
+inline constexpr Channel kLaserLine{"LASER_LINE", "scanway.laser_line_t", false};
+inline constexpr Channel kSweepMark{"SWEEP_MARK", "scanway.sweep_mark_t", false};
 inline constexpr Channel kSweep{"SWEEP", "scanway.sweep_t", true};
 inline constexpr Channel kReferencePose{"REFERENCE_POSE", "scanway.reference_pose_t", false};
 inline constexpr Channel kSweepInputs{"SWEEP_INPUTS", "scanway.sweep_inputs_t", false};
@@ -28,6 +32,11 @@ inline constexpr Channel kCostMapIndex{"COST_MAP_INDEX", "scanway.cost_map_index
 inline constexpr Channel kGoal{"GOAL", "scanway.goal_t", false};
 inline constexpr Channel kPath{"PATH", "scanway.path_t", true};
 inline constexpr Channel kMapState{"MAP_STATE", "scanway.map_state_t", false};
+inline constexpr Channel kLaserScan{"LASER_SCAN", "bot_core.planar_lidar_t", false};
+inline constexpr Channel kLaserRaw{"LASER_RAW", "bot_core.raw_t", false};
+inline constexpr Channel kLineRequest{"LINE_REQUEST", "scanway.line_request_t", false};
+inline constexpr Channel kPanTiltCommand{"PAN_TILT_COMMAND", "scanway.pan_tilt_command_t", false};
+inline constexpr Channel kBaseCommand{"BASE_COMMAND", "scanway.base_command_t", false};
 inline constexpr Channel kObjectIndex{"OBJECT_INDEX", "scanway.object_index_t", false};
 inline constexpr Channel kPieceRequest{"PIECE_REQUEST", "scanway.piece_request_t", false};
 inline constexpr Channel kHealth{"HEALTH", "scanway.health_t", false};
@@ -37,10 +46,15 @@ inline constexpr Channel kTiming{"TIMING", "scanway.timing_t", false};
 
 /// All of them. Of data with the same time, those of the channel that stands first here go first (ordered_merge.h).
 inline constexpr Channel kChannels[] = {
-    channel::kParams,       channel::kImu,    channel::kSweep,     channel::kReferencePose, channel::kSweepInputs,
-    channel::kRegistration, channel::kPose,   channel::kCloudTile, channel::kOctomap,       channel::kCostMapTile,
-    channel::kCostMapIndex, channel::kGoal,   channel::kPath,      channel::kMapState,      channel::kObjectIndex,
-    channel::kPieceRequest, channel::kHealth, channel::kTiming,
+    channel::kParams,         channel::kImu,           channel::kPanTiltState,
+    channel::kOdometry,       channel::kLaserLine,     channel::kSweepMark,
+    channel::kSweep,          channel::kReferencePose, channel::kSweepInputs,
+    channel::kRegistration,   channel::kPose,          channel::kCloudTile,
+    channel::kOctomap,        channel::kCostMapTile,   channel::kCostMapIndex,
+    channel::kGoal,           channel::kPath,          channel::kMapState,
+    channel::kLaserScan,      channel::kLaserRaw,      channel::kLineRequest,
+    channel::kPanTiltCommand, channel::kBaseCommand,   channel::kObjectIndex,
+    channel::kPieceRequest,   channel::kHealth,        channel::kTiming,
 };
 
 /// The channel of that name, or nullptr.

@@ -6,6 +6,7 @@
 #include "bot_core/joint_state_t.hpp"
 #include "bot_core/planar_lidar_t.hpp"
 #include "bot_core/pose_t.hpp"
+#include "bot_core/raw_t.hpp"
 #include "bot_core/rigid_transform_t.hpp"
 
 namespace {
@@ -19,6 +20,7 @@ TEST(BotCore, HasTheFingerprintsThatLcmUsersHave) {
   EXPECT_EQ(bits(bot_core::ins_t::getHash()), 0x88a7df61422b0840U);
   EXPECT_EQ(bits(bot_core::joint_state_t::getHash()), 0x3e377b4cebc593a4U);
   EXPECT_EQ(bits(bot_core::rigid_transform_t::getHash()), 0xea9ffbf2acc5c5aeU);
+  EXPECT_EQ(bits(bot_core::raw_t::getHash()), 0x30571b45b804c18eU);
 }
 
 }  // namespace
