@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "common/time/utime.h"
-#include "modules/schunk_bridge/core/can_frame.h"
+#include "common/bytes/can_frame.h"
 
 namespace scanway::schunk {
 

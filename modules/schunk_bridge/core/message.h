@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "common/time/utime.h"
-#include "modules/schunk_bridge/core/can_frame.h"
+#include "common/bytes/can_frame.h"
 #include "modules/schunk_bridge/core/protocol.h"
 
 namespace scanway::schunk {

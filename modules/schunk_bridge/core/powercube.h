@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "modules/schunk_bridge/core/can_frame.h"
+#include "common/bytes/can_frame.h"
 #include "modules/schunk_bridge/core/listener.h"
 
 /// The protocol of older modules (PowerCube), as far as it takes to name it where it is met. Scanway does not drive

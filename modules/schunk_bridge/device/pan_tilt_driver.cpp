@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "common/files/input_error.h"
+#include "modules/schunk_bridge/core/candump.h"
 #include "modules/schunk_bridge/core/message.h"
 
 namespace scanway::schunk {
@@ -26,8 +27,8 @@ std::vector<std::uint16_t> ids_of(const PanTiltConfig& config) {
 
 }  // namespace
 
-PanTiltDriver::PanTiltDriver(std::string interface, const PanTiltConfig& config)
-    : interface_(std::move(interface)), ids_(ids_of(config)), core_(config) {}
+PanTiltDriver::PanTiltDriver(std::string bus, const PanTiltConfig& config)
+    : bus_(std::move(bus)), ids_(ids_of(config)), core_(config) {}
 
 Utime PanTiltDriver::now() {
   return std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::system_clock::now().time_since_epoch())
@@ -36,7 +37,7 @@ Utime PanTiltDriver::now() {
 
 void PanTiltDriver::step(int timeout_ms) {
   timeout_ms = std::clamp(timeout_ms, 0, 10);
-  if (!socket_) open();
+  if (!link_) open();
   try {
     send_all();
     // Frames are a millisecond apart: another one may be waiting for its turn.
@@ -52,8 +53,9 @@ void PanTiltDriver::open() {
   if (const Utime since = now() - opened_last_; since >= 0 && since < kOpenAgain) return;
   opened_last_ = now();
   try {
-    socket_.emplace(interface_, ids_);
-    if (!told_.empty()) tell(interface_ + ": the CAN interface is there again");
+    link_ = open_can(bus_, ids_);
+    ++counters_.times_opened;
+    if (!told_.empty()) tell(bus_ + ": the CAN bus is there again");
     told_.clear();
   } catch (const InputError& error) {
     tell(error.what());
@@ -65,10 +67,11 @@ void PanTiltDriver::send_all() {
   for (;;) {
     if (!unsent_) unsent_ = core_.next_frame(now());
     if (!unsent_) return;
-    if (socket_ && !socket_->send(*unsent_)) {
+    if (link_ && !link_->send(*unsent_)) {
+      ++counters_.times_full;
       if (full_since_ == 0) full_since_ = now();
       if (now() - full_since_ > kFullTooLong) {
-        tell(interface_ +
+        tell(bus_ +
              ": nobody takes frames off the CAN bus: check wiring, termination, bit rate and the modules' power");
       }
       return;
@@ -80,13 +83,17 @@ void PanTiltDriver::send_all() {
 }
 
 void PanTiltDriver::receive_all(int timeout_ms) {
-  if (!socket_) return std::this_thread::sleep_for(std::chrono::milliseconds(timeout_ms));
+  if (!link_) return std::this_thread::sleep_for(std::chrono::milliseconds(timeout_ms));
   for (int i = 0; i < kMostFramesATurn; ++i) {
-    const auto received = socket_->receive(i == 0 ? timeout_ms : 0);
+    const auto received = link_->receive(i == 0 ? timeout_ms : 0);
     if (!received) return;
-    if (received->lost_before) core_.frames_lost();
-    if (!received->trouble.empty()) {
-      tell(interface_ + ": the CAN bus reports " + received->trouble +
+    if (received->lost_before) {
+      ++counters_.losses;
+      core_.frames_lost();
+    }
+    if (received->error != 0) {
+      ++counters_.error_frames;
+      tell(bus_ + ": the CAN bus reports " + describe_error_frame(received->error) +
            ": check wiring, termination and that the bit rate is the modules'");
     }
     if (received->frame) core_.receive(*received->frame, received->utime != 0 ? received->utime : now());
@@ -94,7 +101,7 @@ void PanTiltDriver::receive_all(int timeout_ms) {
 }
 
 void PanTiltDriver::disconnect(const std::string& why) {
-  socket_.reset();
+  link_.reset();
   unsent_.reset();
   full_since_ = 0;
   opened_last_ = now();

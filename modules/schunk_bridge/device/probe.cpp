@@ -20,9 +20,9 @@ std::string list(const std::set<int>& modules) {
 struct Others {
   std::set<int> motion, powercube;
 
-  void listen(CanSocket& socket, Utime until) {
+  void listen(CanLink& link, Utime until) {
     while (PanTiltDriver::now() < until) {
-      const auto received = socket.receive(10);
+      const auto received = link.receive(10);
       if (!received || !received->frame) continue;
       const CanFrame& frame = *received->frame;
       if (is_motion_protocol(frame.id) && frame.id >> 8 != static_cast<int>(Direction::to_module)) {
@@ -34,17 +34,17 @@ struct Others {
   }
 };
 
-std::vector<std::string> look_for_others(const std::string& interface, const PanTiltConfig& config) {
-  CanSocket socket(interface, {});
+std::vector<std::string> look_for_others(const std::string& bus, const PanTiltConfig& config) {
+  const auto link = open_can(bus);
   for (const std::uint8_t module : {config.pan.module, config.tilt.module})
-    socket.send(powercube::ask_position(module));
+    link->send(powercube::ask_position(module));
   // Every id there is, two milliseconds apart: reading a setting disturbs nobody.
   Others others;
   for (int module = 1; module <= 255; ++module) {
-    socket.send(to_frames(request::get_config(static_cast<std::uint8_t>(module), Setting::unit_system)).front());
-    others.listen(socket, PanTiltDriver::now() + 2'000);
+    link->send(to_frames(request::get_config(static_cast<std::uint8_t>(module), Setting::unit_system)).front());
+    others.listen(*link, PanTiltDriver::now() + 2'000);
   }
-  others.listen(socket, PanTiltDriver::now() + 300'000);
+  others.listen(*link, PanTiltDriver::now() + 300'000);
   std::vector<std::string> lines;
   if (!others.motion.empty()) lines.push_back("modules of these ids answer: " + list(others.motion));
   if (!others.powercube.empty()) {
@@ -52,7 +52,7 @@ std::vector<std::string> look_for_others(const std::string& interface, const Pan
                     list(others.powercube));
   }
   if (lines.empty()) {
-    lines.push_back("no module answers on " + interface +
+    lines.push_back("no module answers on " + bus +
                     ": check power, wiring, termination and the bit rate (50 to 1000 kbit/s are possible)");
   }
   return lines;
@@ -60,9 +60,9 @@ std::vector<std::string> look_for_others(const std::string& interface, const Pan
 
 }  // namespace
 
-std::vector<std::string> probe(const std::string& interface, const PanTiltConfig& config) {
-  { const CanSocket usable(interface, {}); }
-  PanTiltDriver driver(interface, config);
+std::vector<std::string> probe(const std::string& bus, const PanTiltConfig& config) {
+  open_can(bus);  // Or say why not.
+  PanTiltDriver driver(bus, config);
   std::vector<std::string> lines;
   const auto ready = [&] {
     return driver.core().pan().phase() == Axis::Phase::ready && driver.core().tilt().phase() == Axis::Phase::ready;
@@ -71,7 +71,7 @@ std::vector<std::string> probe(const std::string& interface, const PanTiltConfig
   for (const std::string& trouble : driver.take_troubles()) lines.push_back(trouble);
   for (const Event& event : driver.core().take_events()) lines.push_back(event.text);
   if (!ready()) {
-    for (const std::string& line : look_for_others(interface, config)) lines.push_back(line);
+    for (const std::string& line : look_for_others(bus, config)) lines.push_back(line);
   }
   return lines;
 }

@@ -9,15 +9,15 @@
 
 namespace scanway::test {
 
-inline schunk::CanFrame to_can(const TestFrame& frame) {
-  schunk::CanFrame can;
+inline CanFrame to_can(const TestFrame& frame) {
+  CanFrame can;
   can.id = frame.id;
   can.size = static_cast<std::uint8_t>(frame.bytes.size());
   std::copy(frame.bytes.begin(), frame.bytes.end(), can.data.begin());
   return can;
 }
 
-inline TestFrame from_can(const schunk::CanFrame& can) {
+inline TestFrame from_can(const CanFrame& can) {
   return {can.id, {can.data.begin(), can.data.begin() + can.size}};
 }
 
@@ -75,7 +75,7 @@ struct BenchOfTwo {
 
   struct Sent {
     Utime utime;
-    schunk::CanFrame frame;
+    CanFrame frame;
   };
 
   Utime now = 1'000'000'000;

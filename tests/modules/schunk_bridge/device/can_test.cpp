@@ -171,7 +171,7 @@ TEST_F(Can, SaysWhatTheBusReports) {
 TEST_F(Can, NamesWhatIsWrongWithAnInterface) {
   const auto words = [](const std::string& interface) {
     try {
-      schunk::CanSocket socket(interface, {});
+      open_can(interface);
     } catch (const InputError& error) {
       return std::string(error.what());
     }

@@ -1,4 +1,4 @@
-#include "modules/schunk_bridge/device/can_socket.h"
+#include "common/can/can_socket.h"
 
 #include <linux/can.h>
 #include <linux/can/error.h>
@@ -10,38 +10,17 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
 #include <utility>
 
+#include "common/can/raw_frame.h"
 #include "common/files/input_error.h"
-#include "modules/schunk_bridge/core/candump.h"
 
-namespace scanway::schunk {
+namespace scanway {
 namespace {
 
 std::string how_to_bring_up(const std::string& interface) {
   return "sudo ip link set " + interface + " up type can bitrate 500000";
 }
-
-/// What a message beside a frame says: its time, and how many frames were dropped so far.
-struct Beside {
-  Utime utime = 0;
-  std::optional<std::uint32_t> dropped;
-
-  explicit Beside(msghdr& message) {
-    for (cmsghdr* part = CMSG_FIRSTHDR(&message); part != nullptr; part = CMSG_NXTHDR(&message, part)) {
-      if (part->cmsg_level != SOL_SOCKET) continue;
-      if (part->cmsg_type == SO_TIMESTAMP) {
-        timeval time;
-        std::memcpy(&time, CMSG_DATA(part), sizeof time);
-        utime = time.tv_sec * kMicrosecondsPerSecond + time.tv_usec;
-      } else if (part->cmsg_type == SO_RXQ_OVFL) {
-        dropped.emplace();
-        std::memcpy(&*dropped, CMSG_DATA(part), sizeof *dropped);
-      }
-    }
-  }
-};
 
 }  // namespace
 
@@ -84,50 +63,27 @@ void CanSocket::set_filters(const std::vector<std::uint16_t>& ids) {
   const can_err_mask_t errors = CAN_ERR_MASK;
   const int on = 1;
   if (setsockopt(socket_.get(), SOL_CAN_RAW, CAN_RAW_ERR_FILTER, &errors, sizeof errors) != 0 ||
-      setsockopt(socket_.get(), SOL_SOCKET, SO_TIMESTAMP, &on, sizeof on) != 0 ||
-      setsockopt(socket_.get(), SOL_SOCKET, SO_RXQ_OVFL, &on, sizeof on) != 0) {
+      setsockopt(socket_.get(), SOL_SOCKET, SO_RXQ_OVFL, &on, sizeof on) != 0 || !keep_times(socket_.get())) {
     fail("its socket cannot be set up", errno);
   }
 }
 
-std::optional<CanSocket::Received> CanSocket::receive(int timeout_ms) {
+std::optional<CanLink::Received> CanSocket::receive(int timeout_ms) {
   pollfd waiting{socket_.get(), POLLIN, 0};
   if (poll(&waiting, 1, timeout_ms) <= 0) return std::nullopt;
-  can_frame raw{};
-  alignas(cmsghdr) char beside_bytes[256];
-  iovec place{&raw, sizeof raw};
-  msghdr message{};
-  message.msg_iov = &place;
-  message.msg_iovlen = 1;
-  message.msg_control = beside_bytes;
-  message.msg_controllen = sizeof beside_bytes;
-  const ssize_t count = recvmsg(socket_.get(), &message, 0);
+  RawFrame frame;
+  const ssize_t count = receive_raw(socket_.get(), frame);
   if (count < 0 && (errno == EAGAIN || errno == EINTR)) return std::nullopt;
   if (count < 0) fail("the CAN interface went away", errno);
-  if (count != static_cast<ssize_t>(sizeof raw)) return std::nullopt;
-  const Beside beside(message);
-  Received received;
-  received.utime = beside.utime;
-  received.lost_before = beside.dropped.value_or(dropped_) != dropped_;
-  dropped_ = beside.dropped.value_or(dropped_);
-  if (raw.can_id & CAN_ERR_FLAG) {
-    received.trouble = describe_error_frame(raw.can_id & CAN_ERR_MASK);
-  } else if (!(raw.can_id & (CAN_EFF_FLAG | CAN_RTR_FLAG))) {
-    CanFrame frame;
-    frame.id = static_cast<std::uint16_t>(raw.can_id & CAN_SFF_MASK);
-    frame.size = std::min<std::uint8_t>(raw.len, 8);
-    std::copy_n(raw.data, frame.size, frame.data.begin());
-    received.frame = frame;
-  }
+  if (count != static_cast<ssize_t>(sizeof frame.raw)) return std::nullopt;
+  Received received = read_raw(frame);
+  received.lost_before = frame.dropped.value_or(dropped_) != dropped_;
+  dropped_ = frame.dropped.value_or(dropped_);
   return received;
 }
 
 bool CanSocket::send(const CanFrame& frame) {
-  can_frame raw{};
-  raw.can_id = frame.id;
-  raw.len = frame.size;
-  std::copy(frame.data.begin(), frame.data.end(), raw.data);
-  if (::send(socket_.get(), &raw, sizeof raw, 0) == static_cast<ssize_t>(sizeof raw)) return true;
+  if (send_raw(socket_.get(), frame) == static_cast<ssize_t>(sizeof(can_frame))) return true;
   if (errno == ENOBUFS || errno == EAGAIN || errno == EINTR) return false;
   fail("the CAN interface went away", errno);
 }
@@ -139,4 +95,4 @@ void CanSocket::fail(const std::string& what, int error) const {
   throw InputError(interface_ + ": " + what + ": " + reason_of(error) + "; is the adapter plugged in?");
 }
 
-}  // namespace scanway::schunk
+}  // namespace scanway

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-namespace scanway::schunk {
+namespace scanway {
 
 /// A data frame of CAN 2.0A: an identifier of 11 bits and up to 8 bytes.
 struct CanFrame {
@@ -16,4 +16,4 @@ struct CanFrame {
   bool operator==(const CanFrame&) const = default;
 };
 
-}  // namespace scanway::schunk
+}  // namespace scanway
