@@ -58,6 +58,7 @@ void describe(Fields& fields, Robot::Tracker& tracker) {
   fields.begin_section("tracker");
   fields.number("heading_sigma_deg", tracker.heading_sigma, {0, 180});
   fields.number("tilt_sigma_deg", tracker.tilt_sigma, {0, 90});
+  fields.numbers("mount_roll_pitch_yaw_deg", {tracker.mount_roll_pitch_yaw.data(), 3}, {-360, 360});
   fields.end_section();
 }
 

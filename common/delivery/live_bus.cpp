@@ -13,6 +13,7 @@
 #include "common/files/printable.h"
 #include "common/messages/codec.h"
 #include "common/messages/layout.h"
+#include "common/messages/objects.h"
 
 namespace scanway {
 namespace {
@@ -33,6 +34,21 @@ const Layout* layout_of(std::string_view channel) {
   return find_layout(known->cut ? std::string_view("scanway.piece_t") : known->type);
 }
 
+// Pieces, announcements and requests are small, so that one of them can make this process do only so much.
+bool is_of_one_frame(std::string_view channel) {
+  return is_cut(channel) || channel == channel::kObjectIndex.name || channel == channel::kPieceRequest.name;
+}
+
+std::string fault_of(const BusMessage& message) {
+  const Layout* const layout = layout_of(message.channel);
+  if (layout == nullptr) return {};
+  if (is_of_one_frame(message.channel) && message.bytes.size() > kMaxPieceBytes) return "longer than one frame";
+  return find_fault(*layout, message.bytes);
+}
+
+// Of a good message: every type of a channel begins with it.
+Utime utime_of(std::span<const std::uint8_t> message) { return fingerprint(message.subspan(sizeof(std::int64_t))); }
+
 void add_to(std::string& summary, const std::string& sentence) {
   if (sentence.empty()) return;
   if (!summary.empty()) summary += "; ";
@@ -47,9 +63,8 @@ LiveBus::LiveBus(LcmBus& lcm, Identity who, LiveBusOptions options)
     : lcm_(lcm),
       who_(std::move(who)),
       options_(std::move(options)),
-      sender_([this](std::string_view channel, auto bytes) { lcm_.publish(channel, bytes, 0); }, options_.sender),
-      receiver_([this](const piece_request_t& r) { lcm_.publish(channel::kPieceRequest.name, encode(r), 0); },
-                options_.receiver),
+      sender_([this](std::string_view channel, auto bytes) { send(channel, bytes); }, options_.sender),
+      receiver_([this](const piece_request_t& r) { send(channel::kPieceRequest.name, encode(r)); }, options_.receiver),
       drops_before_(kernel_drops()) {
   listen();
 }
@@ -88,7 +103,14 @@ void LiveBus::listen() {
 }
 
 void LiveBus::start() {
-  thread_ = std::thread([this] { run(); });
+  thread_ = std::thread([this] {
+    while (!ending_) turn(sender_.waiting() > 0 ? kPacingWait : kIdleWait);
+  });
+}
+
+void LiveBus::send(std::string_view channel, std::span<const std::uint8_t> bytes) {
+  sent_.count(channel);
+  lcm_.publish(channel, bytes, 0);
 }
 
 void LiveBus::refuse_twins(std::chrono::milliseconds wait) {
@@ -100,9 +122,9 @@ void LiveBus::refuse_twins(std::chrono::milliseconds wait) {
   }
 }
 
-void LiveBus::publish(std::string_view channel, std::span<const std::uint8_t> bytes, Utime utime) {
+void LiveBus::publish(std::string_view channel, std::span<const std::uint8_t> bytes, Utime) {
   if (is_cut(channel)) return sender_.add(channel, decode<piece_t>(bytes), bytes, !held_);
-  if (!held_) lcm_.publish(channel, bytes, utime);
+  if (!held_) send(channel, bytes);
   if (std::find(options_.repeated.begin(), options_.repeated.end(), channel) == options_.repeated.end()) return;
   const std::lock_guard lock(mutex_);
   said_[std::string(channel)].assign(bytes.begin(), bytes.end());
@@ -131,42 +153,43 @@ void LiveBus::drain(std::chrono::milliseconds wait) const {
   }
 }
 
-void LiveBus::run() {
-  SteadyTime next_ask = 0, next_second = 0;
-  while (!ending_) {
-    lcm_.dispatch(sender_.waiting() > 0 ? kPacingWait : kIdleWait);
-    const SteadyTime now = steady_now();
-    sender_.pump(now);
-    if (now >= next_ask) {
-      receiver_.ask(now);
-      next_ask = now + kAskEvery;
-    }
-    if (now >= next_second) {
-      every_second();
-      next_second = std::max(next_second + kSecond, now);
-    }
+void LiveBus::turn(std::chrono::milliseconds wait) {
+  lcm_.dispatch(wait);
+  const SteadyTime now = steady_now();
+  sender_.pump(now);
+  if (now >= next_ask_) {
+    receiver_.ask(now);
+    next_ask_ = now + kAskEvery;
+  }
+  if (now >= next_second_) {
+    every_second();
+    next_second_ = std::max(next_second_ + kSecond, now);
   }
 }
 
 void LiveBus::every_second() {
-  lcm_.publish(channel::kHealth.name, encode(to_message(who_, health(), wall_clock())), 0);
+  for (const health_t& message : to_messages(who_, health(), wall_clock())) send(channel::kHealth.name, encode(message));
   if (held_) return;
   sender_.announce(steady_now());
   const std::lock_guard lock(mutex_);
-  for (const auto& [channel, bytes] : said_) lcm_.publish(channel, bytes, 0);
+  for (const auto& [channel, bytes] : said_) send(channel, bytes);
 }
 
 void LiveBus::forward(const BusMessage& message) {
   Input& input = inputs_.find(message.channel)->second;
   if (!is_good(message, input)) return;
-  if (is_cut(message.channel)) receiver_.add(message.channel, decode<piece_t>(message.bytes), steady_now());
+  if (is_cut(message.channel)) {
+    receiver_.add(message.channel, decode<piece_t>(message.bytes), steady_now());
+  } else {
+    input.spacing.add(utime_of(message.bytes));
+  }
   if (options_.tap) options_.tap(message);
   inbox_.push(message.channel, message.bytes);
 }
 
 bool LiveBus::is_good(const BusMessage& message, Input& input) {
-  const Layout* const layout = layout_of(message.channel);
-  const std::string fault = layout == nullptr ? std::string() : find_fault(*layout, message.bytes);
+  ++input.received;
+  const std::string fault = fault_of(message);
   if (fault.empty()) {
     input.heard = steady_now();
     return true;
@@ -181,23 +204,17 @@ bool LiveBus::is_good(const BusMessage& message, Input& input) {
 
 Health LiveBus::health() {
   Health health;
-  const SteadyTime now = steady_now();
-  std::int64_t bad = 0;
-  for (const auto& [channel, input] : inputs_) {
-    bad += input.bad;
-    health.input_ages_s[channel] =
-        input.heard == 0 ? std::numeric_limits<double>::quiet_NaN() : to_seconds(now - input.heard);
-  }
   const SenderCounters sent = sender_.counters();
   const ReceiverCounters asked = receiver_.counters();
   const AssemblerCounters pieces = receiver_.pieces();
   health.counters = {
-      {"bad_messages", bad},
       {"kernel_drops", kernel_drops() - drops_before_},
       {"failed_publications", count(lcm_.failed_publications())},
       {"pieces_received", count(pieces.pieces)},
+      {"pieces_kept", count(pieces.kept_pieces)},
       {"pieces_repeated", count(pieces.repeated_pieces)},
-      {"pieces_bad", count(pieces.bad_pieces)},
+      {"pieces_superseded", count(pieces.superseded_pieces)},
+      {"pieces_bad", count(pieces.bad_pieces + pieces.conflicting_pieces)},
       {"objects_bad", count(pieces.bad_objects)},
       {"objects_crowded_out", count(pieces.crowded_out)},
       {"gaps", count(asked.gaps)},
@@ -212,6 +229,8 @@ Health LiveBus::health() {
       {"requests_unmet", count(sent.requests_unmet)},
       {"inbox", count(inbox_.size())},
   };
+  count_inputs(health);
+  const std::int64_t bad = health.counters["bad_messages"];
   const std::lock_guard lock(mutex_);
   health.counters.insert(node_counters_.begin(), node_counters_.end());
   health.summary = node_summary_;
@@ -221,6 +240,18 @@ Health LiveBus::health() {
   if (asked.given_up > 0) add_to(health.summary, std::to_string(asked.given_up) + " objects never became whole");
   if (elder_) add_to(health.summary, "another " + elder_->text() + " runs on this bus");
   return health;
+}
+
+void LiveBus::count_inputs(Health& health) const {
+  const SteadyTime now = steady_now();
+  for (const auto& [channel, input] : inputs_) {
+    health.counters["bad_messages"] += input.bad;
+    health.counters["received_" + channel] = input.received;
+    if (input.spacing.missing() > 0) health.counters["missing_" + channel] = input.spacing.missing();
+    health.input_ages_s[channel] =
+        input.heard == 0 ? std::numeric_limits<double>::quiet_NaN() : to_seconds(now - input.heard);
+  }
+  for (const auto& [channel, messages] : sent_.counts()) health.counters["sent_" + channel] = messages;
 }
 
 }  // namespace scanway

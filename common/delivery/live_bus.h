@@ -16,6 +16,8 @@
 #include "common/bus/subscriptions.h"
 #include "common/delivery/object_receiver.h"
 #include "common/delivery/object_sender.h"
+#include "common/delivery/spacing.h"
+#include "common/delivery/traffic.h"
 #include "common/health/health.h"
 
 namespace scanway {
@@ -23,8 +25,9 @@ namespace scanway {
 struct LiveBusOptions {
   SenderLimits sender;
   ReceiverLimits receiver;
-  /// Channels whose last own message is said again once a second, for those who missed it or came later.
-  std::vector<std::string> repeated;
+  /// Channels whose last own message is said again once a second, for those who missed it or came later. A goal always
+  /// is: it comes from an operator, who may be at the far end of a bad link.
+  std::vector<std::string> repeated = {"GOAL"};
   /// Gets every good message of the node's channels in the bus's own thread, before the node does.
   Bus::Handler tap;
 };
@@ -43,6 +46,8 @@ class LiveBus : public Bus {
   /// Before start().
   void subscribe(std::string_view channel, Handler handler) override;
   void start();
+  /// What the bus's own thread does, once; for whom has no thread to spare (instead of start()). Waits up to `wait`.
+  void turn(std::chrono::milliseconds wait);
   /// Throws InputError if, within `wait`, an elder process of the same name is heard. After start().
   void refuse_twins(std::chrono::milliseconds wait);
 
@@ -62,15 +67,18 @@ class LiveBus : public Bus {
  private:
   struct Input {
     SteadyTime heard = 0;
+    std::int64_t received = 0;  // Good or bad.
     std::int64_t bad = 0;
+    Spacing spacing;  // Of what is not cut in pieces.
   };
 
-  void run();
+  void send(std::string_view channel, std::span<const std::uint8_t> bytes);
   void every_second();
   void forward(const BusMessage& message);
   bool is_good(const BusMessage& message, Input& input);
   void listen();
   Health health();
+  void count_inputs(Health& health) const;
 
   LcmBus& lcm_;
   const Identity who_;
@@ -80,7 +88,9 @@ class LiveBus : public Bus {
   Inbox inbox_;
   Subscriptions subscriptions_;  // Of the node.
   std::map<std::string, Input, std::less<>> inputs_;
+  Traffic sent_;
   std::string last_fault_;
+  SteadyTime next_ask_ = 0, next_second_ = 0;
   std::int64_t drops_before_;
   std::atomic<bool> held_ = false;
   std::atomic<bool> ending_ = false;

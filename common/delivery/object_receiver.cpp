@@ -122,6 +122,7 @@ AssemblerCounters ObjectReceiver::pieces() const {
   for (const auto& [channel, assembler] : assemblers_) {
     const AssemblerCounters& one = assembler.counters();
     sum.pieces += one.pieces;
+    sum.kept_pieces += one.kept_pieces;
     sum.objects += one.objects;
     sum.repeated_pieces += one.repeated_pieces;
     sum.bad_pieces += one.bad_pieces;

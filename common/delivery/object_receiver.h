@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "common/delivery/steady_time.h"
+#include "common/clock/steady_time.h"
 #include "common/messages/object_assembler.h"
 #include "scanway/object_index_t.hpp"
 #include "scanway/piece_request_t.hpp"

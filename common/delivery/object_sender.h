@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/delivery/steady_time.h"
+#include "common/clock/steady_time.h"
 #include "common/delivery/token_bucket.h"
 #include "scanway/object_index_t.hpp"
 #include "scanway/piece_request_t.hpp"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "common/delivery/steady_time.h"
+#include "common/clock/steady_time.h"
 
 namespace scanway {
 

@@ -60,19 +60,15 @@ void add_options(CLI::App& app, ProgramOptions& options) {
 
 }  // namespace
 
-int run_program(const std::string& name, const std::string& purpose, int argc, char** argv,
-                const std::function<int(const ProgramOptions&)>& work) {
+int run_main(const std::string& name, const std::string& purpose, int argc, char** argv,
+             const std::function<void(CLI::App&)>& add_options, const std::function<int()>& work) {
   log_to_stderr(name);
   end_on_signals();
   CLI::App app{purpose};
-  ProgramOptions options;
-  add_options(app, options);
+  add_options(app);
   try {
     app.parse(argc, argv);
-    const tbb::global_control limit(
-        tbb::global_control::max_allowed_parallelism,
-        options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency()));
-    return work(options);
+    return work();
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
     return refuse(name, std::string(error.what()) + "; see " + name + " --help");
@@ -82,6 +78,19 @@ int run_program(const std::string& name, const std::string& purpose, int argc, c
   } catch (const std::exception& error) {
     return refuse(name, error.what());
   }
+}
+
+int run_program(const std::string& name, const std::string& purpose, int argc, char** argv,
+                const std::function<int(const ProgramOptions&)>& work) {
+  ProgramOptions options;
+  return run_main(
+      name, purpose, argc, argv, [&options](CLI::App& app) { add_options(app, options); },
+      [&options, &work] {
+        const tbb::global_control limit(
+            tbb::global_control::max_allowed_parallelism,
+            options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency()));
+        return work(options);
+      });
 }
 
 Robot robot_of(const ProgramOptions& options) { return options.robot.empty() ? Robot{} : load_robot(options.robot); }

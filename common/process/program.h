@@ -8,6 +8,10 @@
 #include "common/delivery/live_bus.h"
 #include "common/robot/robot.h"
 
+namespace CLI {
+class App;
+}
+
 namespace scanway {
 
 /// What every program of the bus is told on its command line.
@@ -25,8 +29,12 @@ class StartAgain : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// main() of a program of the bus: reads the command line, runs `work`, and makes one line of what goes wrong (status
-/// 2; StartAgain: status 3).
+/// main() of a program: reads the command line, runs `work`, and makes one line of what goes wrong (status 2;
+/// StartAgain: status 3). INT and TERM ask it to end.
+int run_main(const std::string& name, const std::string& purpose, int argc, char** argv,
+             const std::function<void(CLI::App&)>& add_options, const std::function<int()>& work);
+
+/// main() of a program of the bus that computes.
 int run_program(const std::string& name, const std::string& purpose, int argc, char** argv,
                 const std::function<int(const ProgramOptions&)>& work);
 

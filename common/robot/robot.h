@@ -68,8 +68,11 @@ struct Robot {
   } pan;
 
   struct Tracker {
-    double heading_sigma = radians(5);  ///< Radians.
-    double tilt_sigma = radians(0.5L);  ///< Radians, roll and pitch each.
+    double heading_sigma = radians(5);                               ///< Radians.
+    double tilt_sigma = radians(0.5L);                               ///< Radians, roll and pitch each.
+    Eigen::Vector3d mount_roll_pitch_yaw = Eigen::Vector3d::Zero();  ///< How it sits on the base, radians; see Mount.
+    /// Rotates a vector of the tracker into the base.
+    Eigen::Matrix3d R_base_tracker() const { return Mount{{0.0, 0.0, 0.0}, mount_roll_pitch_yaw}.pose().linear(); }
     bool operator==(const Tracker&) const = default;
   } tracker;
 

@@ -1,24 +1,13 @@
 #include "modules/sick_bridge/device/lms_device.h"
 
-#include <chrono>
 #include <utility>
+
+#include "common/clock/host_time.h"
 
 namespace scanway::sick {
 namespace {
 
 constexpr Utime kConnectPatience = 5 * kMicrosecondsPerSecond;
-
-/// For waiting: it never jumps.
-Utime steady_now() {
-  return std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::steady_clock::now().time_since_epoch())
-      .count();
-}
-
-/// For measurements.
-Utime host_now() {
-  return std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::system_clock::now().time_since_epoch())
-      .count();
-}
 
 void add(DialogueCounters& sum, const DialogueCounters& more) {
   sum.telegrams += more.telegrams;
@@ -85,18 +74,15 @@ void LmsDevice::collect(LmsNews& news) {
     const auto utime = clock_.to_host(received.scan->start_time_us);
     news.scans.push_back({std::move(*received.scan), utime.value_or(arrival)});
     back_off_.succeeded();
-    last_trouble_.clear();
   }
   for (std::string& note : dialogue_->take_notes()) news.notes.push_back(client_.name() + ": " + note);
 }
 
 void LmsDevice::give_up(const std::string& reason, Utime now, LmsNews& news) {
-  if (reason != last_trouble_) news.notes.push_back(reason);
-  last_trouble_ = reason;
+  if (back_off_.failed(reason, now)) news.notes.push_back(reason);
   if (dialogue_) add(earlier_, dialogue_->counters());
   dialogue_.reset();
   client_.close();
-  back_off_.failed(now);
 }
 
 }  // namespace scanway::sick

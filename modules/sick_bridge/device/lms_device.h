@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "common/clock/back_off.h"
 #include "common/time/device_clock.h"
 #include "modules/sick_bridge/core/dialogue.h"
-#include "modules/sick_bridge/device/back_off.h"
 #include "modules/sick_bridge/device/tcp_client.h"
 
 namespace scanway::sick {
@@ -55,13 +55,12 @@ class LmsDevice {
 
   LmsConfig config_;
   TcpClient client_;
-  BackOff back_off_;
+  BackOff back_off_{kMicrosecondsPerSecond / 2, 8 * kMicrosecondsPerSecond};
   Utime connecting_since_ = 0;
   std::optional<Dialogue> dialogue_;
   DialogueCounters earlier_;  // Of connections that are gone.
   DeviceClock clock_;
   std::int64_t connections_ = 0;
-  std::string last_trouble_;  // Said once, not at each attempt.
 };
 
 }  // namespace scanway::sick

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 
+#include "common/clock/host_time.h"
 #include "common/files/input_error.h"
 #include "modules/xsens_bridge/core/mtdata.h"
 #include "modules/xsens_bridge/core/mtdata2.h"
@@ -13,24 +13,10 @@
 namespace scanway::xsens {
 namespace {
 
-constexpr Utime kFirstPause = kMicrosecondsPerSecond / 4;
-constexpr Utime kLongestPause = 4 * kMicrosecondsPerSecond;
 constexpr Utime kBaudPatience = 3 * kMicrosecondsPerSecond / 2;  // To hear anything at one rate.
 constexpr int kBitsPerByte = 10;                                 // On the line: start bit, eight bits, stop bit.
 // The factory's first, then what public drivers set.
 constexpr std::array kBauds = {115200, 460800, 921600, 230400, 57600, 38400, 19200, 9600};
-
-/// For waiting: it never jumps.
-Utime steady_now() {
-  return std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::steady_clock::now().time_since_epoch())
-      .count();
-}
-
-/// For measurements.
-Utime host_now() {
-  return std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::system_clock::now().time_since_epoch())
-      .count();
-}
 
 void add(TrackerCounters& sum, const TrackerCounters& more) {
   sum.messages += more.messages;
@@ -45,7 +31,7 @@ void add(TrackerCounters& sum, const TrackerCounters& more) {
 
 TrackerDevice::TrackerDevice(const TrackerAddress& address, const TrackerConfig& config,
                              const TrackerAccuracy& accuracy)
-    : address_(address), config_(config), accuracy_(accuracy), pause_(kFirstPause) {}
+    : address_(address), config_(config), accuracy_(accuracy) {}
 
 TrackerNews TrackerDevice::run(int timeout_ms) {
   TrackerNews news;
@@ -68,7 +54,7 @@ TrackerCounters TrackerDevice::counters() const {
 int TrackerDevice::next_baud() { return address_.baud != 0 ? address_.baud : kBauds[baud_index_ % kBauds.size()]; }
 
 void TrackerDevice::open_if_due(Utime now) {
-  if (port_ || now < next_try_) return;
+  if (port_ || !back_off_.due(now)) return;
   port_.emplace(address_.port, next_baud());
   clock_.restart();
   dialogue_.emplace(config_, now);
@@ -92,8 +78,7 @@ void TrackerDevice::talk(Utime now, int timeout_ms, TrackerNews& news) {
     if (baud_index_ % kBauds.size() == 0) {
       give_up(address_.port + ": no tracker answers at any rate" + advice(), now, news);
     } else {
-      close();
-      next_try_ = now;
+      close();  // And at once on to the next.
     }
   }
 }
@@ -103,8 +88,7 @@ void TrackerDevice::read(const DataMessage& data, TrackerNews& news) {
     const TrackerReading reading = make_reading(items_of(data.message), accuracy_);
     const Utime on_the_line = static_cast<Utime>(data.frame_bytes) * kBitsPerByte * kMicrosecondsPerSecond / baud();
     news.readings.push_back({reading, time_of(reading, host_now() - on_the_line)});
-    pause_ = kFirstPause;
-    last_trouble_.clear();
+    back_off_.succeeded();
   } catch (const BadMessage&) {
     ++bad_messages_;
   }
@@ -143,11 +127,8 @@ std::string TrackerDevice::advice() const {
 }
 
 void TrackerDevice::give_up(const std::string& reason, Utime now, TrackerNews& news) {
-  if (reason != last_trouble_) news.notes.push_back(reason);
-  last_trouble_ = reason;
+  if (back_off_.failed(reason, now)) news.notes.push_back(reason);
   close();
-  next_try_ = now + pause_;
-  pause_ = std::min(2 * pause_, kLongestPause);
 }
 
 }  // namespace scanway::xsens

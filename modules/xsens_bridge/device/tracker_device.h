@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "common/clock/back_off.h"
 #include "common/serial/serial_port.h"
 #include "common/time/device_clock.h"
 #include "modules/xsens_bridge/core/dialogue.h"
@@ -72,10 +73,8 @@ class TrackerDevice {
   std::uint64_t bad_messages_ = 0;
   std::size_t baud_index_ = 0;
   Utime opened_ = 0;
-  Utime next_try_ = 0;
-  Utime pause_ = 0;
+  BackOff back_off_{kMicrosecondsPerSecond / 4, 4 * kMicrosecondsPerSecond};
   std::int64_t openings_ = 0;
-  std::string last_trouble_;
 };
 
 }  // namespace scanway::xsens
