@@ -59,8 +59,19 @@ void LcmBus::publish(std::string_view channel, std::span<const std::uint8_t> byt
 }
 
 void LcmBus::subscribe(std::string_view channel, Handler handler) {
+  const bool heard_already = subscriptions_.has(channel);
   subscriptions_.add(channel, std::move(handler));
-  lcm_subscription_t* const subscription = lcm_subscribe(lcm_, exactly(channel).c_str(), &LcmBus::copy, &inbox_);
+  if (heard_already) return;  // LCM would copy each message once a subscription.
+  listen(exactly(channel));
+}
+
+void LcmBus::subscribe_all(Handler handler) {
+  onlooker_ = std::move(handler);
+  listen(".*");
+}
+
+void LcmBus::listen(const std::string& pattern) {
+  lcm_subscription_t* const subscription = lcm_subscribe(lcm_, pattern.c_str(), &LcmBus::copy, &inbox_);
   if (subscription == nullptr) {
     throw InputError("--lcm-url " + printable(url_) + ": LCM cannot listen there; it may have said why above");
   }
@@ -69,7 +80,10 @@ void LcmBus::subscribe(std::string_view channel, Handler handler) {
 
 std::size_t LcmBus::dispatch(std::chrono::milliseconds wait) {
   const auto messages = inbox_.take(wait);
-  for (const Inbox::Waiting& message : messages) subscriptions_.deliver({message.channel, message.bytes, 0});
+  for (const Inbox::Waiting& message : messages) {
+    subscriptions_.deliver({message.channel, message.bytes, 0});
+    if (onlooker_) onlooker_({message.channel, message.bytes, 0});
+  }
   return messages.size();
 }
 

@@ -28,6 +28,8 @@ class LcmBus : public Bus {
   void publish(std::string_view channel, std::span<const std::uint8_t> bytes, Utime utime) override;
   /// Not while dispatch() runs in another thread.
   void subscribe(std::string_view channel, Handler handler) override;
+  /// All channels, for whoever looks on; instead of subscribe(), not beside it.
+  void subscribe_all(Handler handler);
 
   /// Delivers what has come; waits up to `wait` when nothing has. Returns the number delivered.
   std::size_t dispatch(std::chrono::milliseconds wait);
@@ -39,12 +41,14 @@ class LcmBus : public Bus {
  private:
   static void copy(const _lcm_recv_buf_t* message, const char* channel, void* inbox);
   void receive();
+  void listen(const std::string& pattern);
 
   std::string url_;
   std::string advice_;
   _lcm_t* lcm_;
   Inbox inbox_;
   Subscriptions subscriptions_;
+  Handler onlooker_;
   std::atomic<std::uint64_t> failed_publications_ = 0;
   std::atomic<bool> ending_ = false;
   std::thread receiver_;

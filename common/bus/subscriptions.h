@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <deque>
 #include <string>
 #include <utility>
@@ -13,6 +14,11 @@ class Subscriptions {
  public:
   void add(std::string_view channel, Bus::Handler handler) {
     subscriptions_.push_back({std::string(channel), std::move(handler)});
+  }
+
+  bool has(std::string_view channel) const {
+    return std::any_of(subscriptions_.begin(), subscriptions_.end(),
+                       [channel](const Subscription& one) { return one.channel == channel; });
   }
 
   /// Calls the channel's handlers in the order of subscribing. Who subscribes in a handler gets the next message on.

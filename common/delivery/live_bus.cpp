@@ -168,7 +168,8 @@ void LiveBus::turn(std::chrono::milliseconds wait) {
 }
 
 void LiveBus::every_second() {
-  for (const health_t& message : to_messages(who_, health(), wall_clock())) send(channel::kHealth.name, encode(message));
+  for (const health_t& message : to_messages(who_, health(), wall_clock()))
+    send(channel::kHealth.name, encode(message));
   if (held_) return;
   sender_.announce(steady_now());
   const std::lock_guard lock(mutex_);

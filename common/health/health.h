@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "common/time/utime.h"
 #include "scanway/health_t.hpp"
@@ -33,7 +35,10 @@ struct Health {
   std::map<std::string, double> input_ages_s;  ///< By channel; NaN: nothing came yet.
 };
 
-health_t to_message(const Identity& who, const Health& health, Utime wall_clock);
+/// HEALTH as messages of at most kMaxHealthBytes, one network frame each: all say who and how, each has its share of
+/// the counters and ages. Whoever reads them puts them together by name.
+std::vector<health_t> to_messages(const Identity& who, const Health& health, Utime wall_clock);
+constexpr std::size_t kMaxHealthBytes = 1300;
 
 /// The wall clock: for HEALTH, which tells when a process spoke, and for nothing else.
 Utime wall_clock();

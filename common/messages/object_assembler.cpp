@@ -42,8 +42,9 @@ bool ObjectAssembler::acceptable(const piece_t& piece) const {
                      piece.nbytes > 0 && static_cast<std::size_t>(piece.nbytes) <= kMaxPieceBytes &&
                      static_cast<std::size_t>(piece.nbytes) == piece.data.size() && piece.key.size() <= kMaxKeyBytes;
   const bool coding = piece.coding == piece_t::ZSTD || piece.coding == piece_t::ZSTD_SHUFFLED_BY_FOUR;
-  return sizes && coding && piece.piece >= 0 && piece.piece < piece.npieces &&
-         static_cast<std::size_t>(piece.npieces) <= ZSTD_compressBound(static_cast<std::size_t>(piece.total_bytes));
+  if (!sizes || !coding || piece.piece < 0 || piece.piece >= piece.npieces) return false;
+  const auto total = static_cast<std::size_t>(piece.total_bytes), pieces = static_cast<std::size_t>(piece.npieces);
+  return pieces <= ZSTD_compressBound(total) && total <= pieces * kMaxUnpackedBytesAPiece;
 }
 
 // Whether nothing can come of the piece, because its key has a complete object of the same or a newer version.
@@ -72,6 +73,7 @@ ObjectAssembler::Waiting::iterator ObjectAssembler::keep(const piece_t& piece) {
   std::size_t added = founded ? kObjectOverhead + piece.key.size() : 0;
   if (parts.pieces.try_emplace(piece.piece, piece.data).second) {
     added += kPieceOverhead + piece.data.size();
+    ++counters_.kept_pieces;
   } else {
     ++counters_.repeated_pieces;
   }

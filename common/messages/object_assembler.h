@@ -21,7 +21,8 @@ struct AssemblerLimits {
 
 /// Everything that happened to pieces and objects, since the start.
 struct AssemblerCounters {
-  std::uint64_t pieces = 0;              ///< All that came.
+  std::uint64_t pieces = 0;              ///< All that came: kept, repeated, superseded, conflicting or bad.
+  std::uint64_t kept_pieces = 0;         ///< That were new.
   std::uint64_t objects = 0;             ///< Complete, and right by their digest.
   std::uint64_t repeated_pieces = 0;     ///< Of an object that is complete, or of a piece that is there.
   std::uint64_t bad_pieces = 0;          ///< That contradict themselves or break a limit.

@@ -14,7 +14,7 @@ namespace scanway {
 namespace {
 
 constexpr int kLevel = 3;
-constexpr int kWindowLog = 20;  // The receiver's memory, in bytes by its power of two.
+constexpr int kWindowLog = 20;
 
 // Planes of first, second, third and fourth bytes: what is alike in numbers of four bytes (sign, exponent) comes
 // together, and zstd finds it. What is left over at the end stays as it is.
@@ -57,25 +57,14 @@ std::vector<std::uint8_t> compress(std::span<const std::uint8_t> bytes) {
   return packed;
 }
 
+// At once, not as a stream: that would take a window of its own beside the object.
 std::optional<std::vector<std::uint8_t>> decompress(std::span<const std::uint8_t> packed, std::size_t total_bytes) {
   if (ZSTD_getFrameContentSize(packed.data(), packed.size()) != total_bytes) return std::nullopt;
-  const std::unique_ptr<ZSTD_DCtx, decltype(&ZSTD_freeDCtx)> context(ZSTD_createDCtx(), ZSTD_freeDCtx);
-  if (context == nullptr) throw std::bad_alloc();
-  ZSTD_DCtx_setParameter(context.get(), ZSTD_d_windowLogMax, kWindowLog);
-  std::vector<std::uint8_t> bytes;
-  ZSTD_inBuffer input{packed.data(), packed.size(), 0};
-  std::size_t filled = 0;
-  for (;;) {
-    bytes.resize(std::min(total_bytes, std::max(2 * bytes.size(), 8 * packed.size())));
-    ZSTD_outBuffer output{bytes.data(), bytes.size(), filled};
-    const std::size_t left = ZSTD_decompressStream(context.get(), &output, &input);
-    if (ZSTD_isError(left)) return std::nullopt;
-    if (left == 0) {
-      return output.pos == total_bytes && input.pos == input.size ? std::optional(std::move(bytes)) : std::nullopt;
-    }
-    if (output.pos == filled && bytes.size() == total_bytes) return std::nullopt;  // More than it said, or cut off.
-    filled = output.pos;
-  }
+  if (ZSTD_findFrameCompressedSize(packed.data(), packed.size()) != packed.size()) return std::nullopt;
+  std::vector<std::uint8_t> bytes(total_bytes);
+  const std::size_t size = ZSTD_decompress(bytes.data(), bytes.size(), packed.data(), packed.size());
+  if (ZSTD_isError(size) || size != total_bytes) return std::nullopt;
+  return bytes;
 }
 
 }  // namespace

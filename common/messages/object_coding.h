@@ -17,7 +17,7 @@ struct Packed {
 Packed pack(std::span<const std::uint8_t> object);
 
 /// The object again, or nothing if `packed` does not unpack to exactly `total_bytes`. However it is made, no more than
-/// these and a window of 1 MiB is allocated, and no more than the packed bytes account for at a time.
+/// twice these and zstd's own book-keeping (some 160 kB) is allocated.
 std::optional<std::vector<std::uint8_t>> unpack(const Packed& packed, std::size_t total_bytes);
 
 }  // namespace scanway

@@ -23,7 +23,8 @@ std::vector<piece_t> cut(std::span<const std::uint8_t> object_bytes, std::string
                                 " bytes with a key of " + std::to_string(key.size()));
   }
   const Packed packed = pack(object_bytes);
-  const std::size_t step = kMaxPieceBytes - kPieceOverhead - key.size();
+  const std::size_t fewest = (object_bytes.size() + kMaxUnpackedBytesAPiece - 1) / kMaxUnpackedBytesAPiece;
+  const std::size_t step = std::min(kMaxPieceBytes - kPieceOverhead - key.size(), packed.bytes.size() / fewest);
   piece_t piece{};
   piece.utime = utime;
   piece.key = key;

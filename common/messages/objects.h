@@ -25,6 +25,9 @@ struct Object {
 
 /// An encoded piece is at most this long: one network frame.
 constexpr std::size_t kMaxPieceBytes = 1300;
+/// An object has at least a piece for so many of its unpacked bytes: what few pieces can make a receiver allocate is
+/// bounded, however well they are packed.
+constexpr std::size_t kMaxUnpackedBytesAPiece = std::size_t{256} << 10;
 /// A key is at most this long.
 constexpr std::size_t kMaxKeyBytes = 200;
 

@@ -52,6 +52,19 @@ TEST(LcmBus, AChannelIsItsExactName) {
   EXPECT_EQ(heard, "AXB A A.B ");
 }
 
+TEST(LcmBus, EachHandlerOfAChannelGetsAMessageOnce) {
+  LcmBus bus("memq://");
+  int first = 0, second = 0, last = 0;
+  bus.subscribe("SHARED", [&](const BusMessage&) { ++first; });
+  bus.subscribe("SHARED", [&](const BusMessage&) { ++second; });
+  bus.subscribe("LAST", [&](const BusMessage&) { ++last; });
+  for (int i = 0; i < 10; ++i) bus.publish("SHARED", number(i), 0);
+  bus.publish("LAST", number(0), 0);
+  dispatch_until(bus, [&] { return last > 0; });
+  EXPECT_EQ(first, 10);
+  EXPECT_EQ(second, 10);
+}
+
 TEST(LcmBus, AnyThreadMayPublish) {
   LcmBus bus("memq://");
   std::size_t heard = 0;

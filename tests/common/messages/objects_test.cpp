@@ -209,6 +209,37 @@ TEST(Assembler, StopsABombAtItsWord) {
   }
 }
 
+// The pieces of the most that few packed bytes can pretend to be, with the digest of something else.
+TEST(Assembler, ALyingObjectCostsLessThanOneMegabyteAPiece) {
+  for (const std::size_t megabytes : {1, 4, 64}) {
+    Bytes zeros(megabytes << 20);
+    for (const bool shuffled : {true, false}) {
+      const auto pieces = cut(zeros, "key", 1, 0);
+      ASSERT_GE(pieces.size() * kMaxUnpackedBytesAPiece, zeros.size());
+      ObjectAssembler assembler;
+      std::size_t allocated = 0;
+      for (piece_t piece : pieces) {
+        piece.digest ^= 1;
+        if (shuffled) piece.coding = piece_t::ZSTD_SHUFFLED_BY_FOUR;
+        const Allocations allocations;
+        EXPECT_FALSE(assembler.add(piece));
+        allocated += allocations.bytes();
+      }
+      EXPECT_EQ(assembler.counters().bad_objects, 1U);
+      EXPECT_LT(allocated, pieces.size() << 20);
+    }
+    ObjectAssembler assembler;  // And the honest one arrives.
+    std::optional<Object> object;
+    for (const piece_t& piece : cut(zeros, "key", 1, 0)) object = assembler.add(piece);
+    ASSERT_TRUE(object);
+    EXPECT_EQ(object->bytes, zeros);
+    piece_t boast = cut(zeros, "key", 2, 0)[0];
+    boast.npieces = static_cast<std::int32_t>((zeros.size() - 1) / kMaxUnpackedBytesAPiece);
+    EXPECT_FALSE(assembler.add(boast));
+    EXPECT_EQ(assembler.counters().bad_pieces, 1U);
+  }
+}
+
 TEST(Assembler, KeepsItsMemoryBounded) {
   Random random(7);
   AssemblerLimits limits;
