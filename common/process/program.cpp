@@ -93,7 +93,7 @@ int run_program(const std::string& name, const std::string& purpose, int argc, c
       });
 }
 
-Robot robot_of(const ProgramOptions& options) { return options.robot.empty() ? Robot{} : load_robot(options.robot); }
+Robot robot_of(const std::string& file) { return file.empty() ? Robot{} : load_robot(file); }
 
 LiveBusOptions live_bus_options(const ProgramOptions& options) {
   LiveBusOptions live;

@@ -38,7 +38,9 @@ int run_main(const std::string& name, const std::string& purpose, int argc, char
 int run_program(const std::string& name, const std::string& purpose, int argc, char** argv,
                 const std::function<int(const ProgramOptions&)>& work);
 
-Robot robot_of(const ProgramOptions& options);
+/// The robot of the file that the options (of a program or a bridge) name.
+Robot robot_of(const std::string& file);
+inline Robot robot_of(const ProgramOptions& options) { return robot_of(options.robot); }
 LiveBusOptions live_bus_options(const ProgramOptions& options);
 
 /// Whether INT or TERM asked the process to end.

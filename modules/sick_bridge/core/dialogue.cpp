@@ -46,11 +46,12 @@ void Dialogue::receive(std::span<const std::uint8_t> bytes, Utime now) {
 void Dialogue::tick(Utime now) {
   switch (state_) {
     case State::finding_dialect:
-      if (now - began_ > kSlowPatience) {
-        fail(finder_.bad_bytes() > 0 ? "what it sends is neither CoLa-A nor CoLa-B: is this the port of an LMS5xx "
-                                       "(2111 or 2112)?"
-                                     : "it takes the connection and does not answer: is this the port of an LMS5xx "
-                                       "(2111 or 2112), and has it started?");
+      if (finder_.bad_bytes() > 0 && now - began_ > 2 * kDialectPatience) {
+        fail("what it sends is neither CoLa-A nor CoLa-B: is this the port of an LMS5xx (2111 or 2112)?");
+      } else if (now - began_ > kSlowPatience) {
+        fail(
+            "it takes the connection and does not answer: is this the port of an LMS5xx (2111 or 2112), and has it "
+            "started?");
       } else if (now >= deadline_) {
         try_dialect(tried_ == Dialect::cola_a ? Dialect::cola_b : Dialect::cola_a, now);
       }
@@ -103,6 +104,7 @@ void Dialogue::send_step(Utime now) {
   while (step_ < steps_.size() && steps_[step_].needed && !steps_[step_].needed(info_)) ++step_;
   waiting_ = step_ < steps_.size();
   if (!waiting_) {
+    check_model();
     state_ = State::measuring;
     last_scan_ = now;
     next_status_ = now + kStatusPeriod;
@@ -160,7 +162,7 @@ void Dialogue::handle(const Stretch& stretch, Utime now) {
 void Dialogue::handle_scan(Received& received, Utime now) {
   ++counters_.scans;
   last_scan_ = now;
-  check_counter(*received.scan);
+  check_counters(*received.scan);
   if (!std::exchange(first_scan_seen_, true)) check_mode(*received.scan);
 }
 
@@ -196,13 +198,14 @@ void Dialogue::check_mode(const Scan& scan) {
                    in_words(wanted->frequency, wanted->resolution) + " that were asked for");
 }
 
-void Dialogue::check_counter(const Scan& scan) {
-  if (last_counter_) {
-    const auto step = static_cast<std::uint16_t>(scan.telegram_counter - *last_counter_);
-    // A counter that goes back was set anew.
-    if (step > 1 && step < 0x8000) counters_.missed_scans += step - 1;
-  }
-  last_counter_ = scan.telegram_counter;
+void Dialogue::check_counters(const Scan& scan) {
+  counters_.missed_telegrams += telegram_gap_.missing_before(scan.telegram_counter);
+  counters_.missed_scans += scan_gap_.missing_before(scan.scan_counter) / std::max<unsigned>(1, config_.content.every);
+}
+
+void Dialogue::check_model() {
+  if (info_.model.empty() || info_.model.find("LMS5") != std::string::npos) return;
+  notes_.push_back("it is '" + info_.model + "', no LMS5xx: its scan modes and its sector are others");
 }
 
 Utime Dialogue::patience_for_scans() const {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "common/bytes/counter_gap.h"
 #include "modules/sick_bridge/core/start_up.h"
 
 namespace scanway::sick {
@@ -21,11 +22,12 @@ struct Received {
 struct DialogueCounters {
   std::uint64_t telegrams = 0;
   std::uint64_t scans = 0;
-  std::uint64_t missed_scans = 0;   ///< By the telegram counter.
-  std::uint64_t bad_telegrams = 0;  ///< Whole, and not what their name promises.
-  std::uint64_t bad_bytes = 0;      ///< That belong to no telegram.
-  std::uint64_t errors = 0;         ///< sFA answers.
-  std::uint64_t unanswered = 0;     ///< Requests.
+  std::uint64_t missed_scans = 0;      ///< Not sent by the device, or lost: by the scan counter.
+  std::uint64_t missed_telegrams = 0;  ///< Lost on the way or bad: by the telegram counter.
+  std::uint64_t bad_telegrams = 0;     ///< Whole, and not what their name promises.
+  std::uint64_t bad_bytes = 0;         ///< That belong to no telegram.
+  std::uint64_t errors = 0;            ///< sFA answers.
+  std::uint64_t unanswered = 0;        ///< Requests.
 };
 
 /// The talk with a scanner over one connection, from the first byte to the stream of scans: bytes in, bytes out, the
@@ -64,7 +66,8 @@ class Dialogue {
   void handle_scan(Received& received, Utime now);
   void handle_answer(const Telegram& telegram, Utime now);
   void check_mode(const Scan& scan);
-  void check_counter(const Scan& scan);
+  void check_counters(const Scan& scan);
+  void check_model();
   Utime patience_for_scans() const;
   void fail(const std::string& reason);
 
@@ -85,7 +88,7 @@ class Dialogue {
 
   Utime next_status_ = 0;
   Utime last_scan_ = 0;
-  std::optional<std::uint16_t> last_counter_;
+  CounterGap telegram_gap_, scan_gap_;
   bool first_scan_seen_ = false;
 
   DeviceInfo info_;

@@ -13,6 +13,7 @@ void add(DialogueCounters& sum, const DialogueCounters& more) {
   sum.telegrams += more.telegrams;
   sum.scans += more.scans;
   sum.missed_scans += more.missed_scans;
+  sum.missed_telegrams += more.missed_telegrams;
   sum.bad_telegrams += more.bad_telegrams;
   sum.bad_bytes += more.bad_bytes;
   sum.errors += more.errors;

@@ -42,6 +42,9 @@ class LmsDevice {
   bool measuring() const { return dialogue_ && dialogue_->state() == Dialogue::State::measuring; }
   /// Of this connection, or nothing while there is none.
   const Dialogue* dialogue() const { return dialogue_ ? &*dialogue_ : nullptr; }
+  /// Why there is no connection, or no scan since it was made anew, in one line; empty: it is not known to fail.
+  const std::string& trouble() const { return back_off_.reason(); }
+  std::string name() const { return client_.name(); }
   /// Of all connections.
   DialogueCounters counters() const;
   std::int64_t connections() const { return connections_; }

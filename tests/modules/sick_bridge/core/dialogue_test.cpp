@@ -190,6 +190,7 @@ TEST(Dialogue, CountsScansThatAreMissingOverTheWrapOfTheCounter) {
     dialogue.receive(small_scan(static_cast<std::uint16_t>(counter)), now);
   }
   EXPECT_EQ(dialogue.counters().missed_scans, 2U + 3995U);
+  EXPECT_EQ(dialogue.counters().missed_telegrams, 2U + 3995U);
 }
 
 TEST(Dialogue, SaysWhenNothingAnswersOrSomethingElseDoes) {
