@@ -73,7 +73,15 @@ std::string Axis::why_no_move() const {
     return config_.name + " has error " + describe_code(error_) + (advice.empty() ? "" : ": ") + std::string(advice);
   }
   if (motion_.under_way()) return config_.name + " is moving: stop it first";
+  // After a stop it turns on for a moment; at the start, whoever moved it may be gone.
+  if ((state_->bits & state_bit::kMoving) != 0) return config_.name + " still turns: stop it, or wait until it stands";
   return {};
+}
+
+std::string Axis::why_not_at(double speed) const {
+  if (speed > 0 && speed <= max_speed_) return {};
+  return config_.name + " cannot go at " + degrees_text(speed) + " deg/s: its limit is " + degrees_text(max_speed_) +
+         " deg/s";
 }
 
 std::string Axis::reference(Utime) {
@@ -90,10 +98,7 @@ std::string Axis::move_to(double position, double speed, Utime) {
     return config_.name + " cannot go to " + degrees_text(position) + " deg: its limits are " + degrees_text(low_) +
            " and " + degrees_text(high_) + " deg";
   }
-  if (!(speed > 0 && speed <= max_speed_)) {
-    return config_.name + " cannot go at " + degrees_text(speed) + " deg/s: its limit is " + degrees_text(max_speed_) +
-           " deg/s";
-  }
+  if (std::string why = why_not_at(speed); !why.empty()) return why;
   motion_.begin(Motion::Kind::position, position, speed);
   // The target speed first, on its own: together the two would need a fragmented message.
   conversation_.ask(request::with_values(config_.module, Command::set_target_vel, {from_radians(speed)}, units_));
@@ -103,10 +108,11 @@ std::string Axis::move_to(double position, double speed, Utime) {
 
 std::string Axis::move_at(double speed, Utime) {
   if (std::string why = why_no_move(); !why.empty()) return why;
-  if (!(std::fabs(speed) <= max_speed_)) {
-    return config_.name + " cannot go at " + degrees_text(speed) + " deg/s: its limit is " + degrees_text(max_speed_) +
-           " deg/s";
+  if (std::string why = why_not_at(std::fabs(speed)); !why.empty()) return why;
+  if (referenced() && (speed > 0 ? state_->position >= high_ : state_->position <= low_)) {
+    return config_.name + " is at its limit of " + degrees_text(speed > 0 ? high_ : low_) + " deg: turn it back";
   }
+  turning_at_ = speed;
   motion_.begin(Motion::Kind::velocity, state_->position, std::fabs(speed));
   conversation_.ask(request::with_values(config_.module, Command::move_vel, {from_radians(speed)}, units_));
   return {};
@@ -164,6 +170,8 @@ void Axis::tell(Event::Kind kind, Utime now, std::string text, std::uint8_t code
   event.text = config_.name + " (module " + std::to_string(config_.module) + ") " + text;
   events_.push_back(std::move(event));
 }
+
+std::vector<AxisState> Axis::take_states() { return std::exchange(states_, {}); }
 
 std::vector<Event> Axis::take_events() { return std::exchange(events_, {}); }
 

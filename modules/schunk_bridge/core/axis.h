@@ -64,6 +64,7 @@ class Axis {
   // Commands. They return why they are refused, in one line, or nothing when they are on their way.
   std::string reference(Utime now);
   std::string move_to(double position, double speed, Utime now);
+  /// Turns until it is stopped, at its limits at the latest.
   std::string move_at(double speed, Utime now);
   /// Brakes to a stand.
   void stop();
@@ -74,6 +75,8 @@ class Axis {
   const AxisConfig& config() const { return config_; }
   Phase phase() const { return phase_; }
   const std::optional<AxisState>& state() const { return state_; }
+  /// The states that it told since the last call, in order; of very many, the last ones.
+  std::vector<AxisState> take_states();
   const Motion& motion() const { return motion_; }
   const AxisCounters& counters() const { return counters_; }
   bool referenced() const { return state_ && (state_->bits & state_bit::kReferenced) != 0; }
@@ -82,6 +85,7 @@ class Axis {
   /// The angles that it may go to.
   double low() const { return low_; }
   double high() const { return high_; }
+  double max_speed() const { return max_speed_; }
   /// What it says of itself, once known: "PW-70, firmware 1.21, deg, -420 to 420 deg".
   std::string description() const;
   std::vector<Event> take_events();
@@ -103,7 +107,9 @@ class Axis {
   void clear_error(Utime now);
   void lose(const std::string& why, Utime now);
   void report_motion(Motion::Change change, Utime now);
+  void watch_limits(Utime now);
   std::string why_no_move() const;
+  std::string why_not_at(double speed) const;
   void tell(Event::Kind kind, Utime now, std::string text, std::uint8_t code = 0);
   double to_radians(double value) const { return value * scale_; }
   double from_radians(double angle) const { return angle / scale_; }
@@ -117,6 +123,8 @@ class Axis {
   double low_, high_, max_speed_;
   std::optional<reply::ModuleInfo> info_;
   std::optional<AxisState> state_;
+  std::vector<AxisState> states_;  // Not taken yet.
+  double turning_at_ = 0;          // The commanded speed, with its sign.
   std::uint8_t error_ = 0;
   Utime error_utime_ = 0;  // When it was reported last.
   std::uint8_t warning_ = 0;

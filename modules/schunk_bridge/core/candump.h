@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "common/time/utime.h"
 #include "common/bytes/can_frame.h"
+#include "common/time/utime.h"
 
 namespace scanway::schunk {
 

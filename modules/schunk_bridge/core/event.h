@@ -25,8 +25,8 @@ struct Event {
     cleared,        ///< Its errors are gone.
     sweep_started,  ///< From here on the sweep's lines count. `position` is the pan angle.
     sweep_ended,    ///< Up to here.
-    sweep_done,     ///< The pan is back at the sweep's start.
-    sweep_aborted,
+    sweep_done,     ///< The pan is back at the sweep's start, or its way back was given up.
+    sweep_aborted,  ///< Given up before its end.
   };
   Kind kind{};
   Utime utime = 0;
@@ -34,6 +34,7 @@ struct Event {
   std::uint8_t code = 0;   ///< The module's.
   double position = 0;     ///< Radians, where one is said.
   std::int64_t sweep = 0;  ///< Number of the sweep.
+  std::string reason;      ///< Why a sweep was given up.
   std::string text;        ///< One line for people.
 };
 

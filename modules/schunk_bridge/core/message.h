@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "common/time/utime.h"
 #include "common/bytes/can_frame.h"
+#include "common/time/utime.h"
 #include "modules/schunk_bridge/core/protocol.h"
 
 namespace scanway::schunk {

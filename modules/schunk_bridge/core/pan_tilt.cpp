@@ -59,6 +59,10 @@ std::string PanTilt::move_tilt(double position, double speed, Utime now) {
   return busy() ? kSweepUnderWay : tilt_.move_to(position, speed, now);
 }
 
+std::string PanTilt::turn_pan(double speed, Utime now) { return busy() ? kSweepUnderWay : pan_.move_at(speed, now); }
+
+std::string PanTilt::turn_tilt(double speed, Utime now) { return busy() ? kSweepUnderWay : tilt_.move_at(speed, now); }
+
 std::string PanTilt::reference(Utime now) {
   if (busy()) return kSweepUnderWay;
   if (tilt_.referenced()) return pan_.reference(now);

@@ -38,6 +38,8 @@ class PanTilt {
   std::string start_sweep(Utime now) { return sweep_.start(now); }
   std::string move_pan(double position, double speed, Utime now);
   std::string move_tilt(double position, double speed, Utime now);
+  std::string turn_pan(double speed, Utime now);
+  std::string turn_tilt(double speed, Utime now);
   /// Sends the axes that do not know their zero, one after the other, to look for it.
   std::string reference(Utime now);
   /// Both axes brake to a stand; a sweep is over.
@@ -48,6 +50,9 @@ class PanTilt {
 
   const Axis& pan() const { return pan_; }
   const Axis& tilt() const { return tilt_; }
+  /// Where they were since the last call (Axis::take_states).
+  std::vector<AxisState> take_pan_states() { return pan_.take_states(); }
+  std::vector<AxisState> take_tilt_states() { return tilt_.take_states(); }
   const Sweep& sweep() const { return sweep_; }
   Sweep& sweep() { return sweep_; }
   std::vector<Event> take_events();

@@ -34,7 +34,9 @@ std::string Sweep::why_not(const Axis& axis) const {
   if (axis.error() != 0) {
     return axis.config().name + " has error " + describe_code(axis.error()) + ": mend its cause and acknowledge it";
   }
-  if (axis.motion().under_way()) return axis.config().name + " is moving: stop it first";
+  if (axis.motion().under_way() || (axis.state()->bits & state_bit::kMoving) != 0) {
+    return axis.config().name + " is moving: stop it first";
+  }
   if (!axis.referenced() && !config_.reference_if_needed) {
     return axis.config().name + " is not referenced: send it to its reference first";
   }
@@ -48,7 +50,11 @@ std::string Sweep::start(Utime now) {
   }
   const auto [low, high] = std::minmax({config_.start, config_.start + config_.angle});
   if (low < pan_.low() || high > pan_.high()) return "the sweep goes beyond the limits of the pan axis";
-  if (config_.tilt < tilt_.low() || config_.tilt > tilt_.high()) return "the sweep's tilt is beyond the tilt's limits";
+  if (!(config_.speed > 0 && config_.speed <= pan_.max_speed())) {
+    return "the sweep's speed is none that the pan axis can go at";
+  }
+  if (!(config_.tilt >= tilt_.low() || config_.tilt <= tilt_.high()))
+    return "the sweep's tilt is beyond the tilt's limits";
   active_config_ = config_;
   ++number_;
   started_ = false;
@@ -73,14 +79,14 @@ void Sweep::enter(Phase phase, Utime now) {
       refusal = pan_.reference(now);
       break;
     case Phase::placing:
-      refusal = tilt_.move_to(active_config_.tilt, active_config_.travel_speed, now);
-      if (refusal.empty()) refusal = pan_.move_to(active_config_.start, active_config_.travel_speed, now);
+      refusal = tilt_.move_to(active_config_.tilt, travel_speed(tilt_), now);
+      if (refusal.empty()) refusal = pan_.move_to(active_config_.start, travel_speed(pan_), now);
       break;
     case Phase::scanning:
       refusal = pan_.move_to(end(), active_config_.speed, now);
       break;
     case Phase::returning:
-      refusal = pan_.move_to(active_config_.start, active_config_.travel_speed, now);
+      refusal = pan_.move_to(active_config_.start, travel_speed(pan_), now);
       break;
   }
   if (!refusal.empty()) abort(refusal, now);
@@ -124,7 +130,7 @@ void Sweep::go_on(Utime now) {
 void Sweep::follow_scan(Utime now) {
   if (!started_ && pan_.motion().accepted()) {
     started_ = true;
-    tell(Event::Kind::sweep_started, now, "begins");
+    tell(Event::Kind::sweep_started, pan_.state()->utime, "begins");
   }
   if (std::fabs(tilt_.state()->position - active_config_.tilt) > kTiltTolerance) {
     abort("the tilt does not hold its angle", now);
@@ -140,16 +146,25 @@ void Sweep::abort(const std::string& reason, Utime now) {
 
 void Sweep::cancel(const std::string& reason, Utime now) {
   if (!active()) return;
+  // What it scanned is whole once it is on its way back.
+  const bool whole = phase_ == Phase::returning;
   phase_ = Phase::idle;
-  tell(Event::Kind::sweep_aborted, now, "is given up: " + reason);
+  if (whole) {
+    tell(Event::Kind::sweep_done, now, "is done, and its way back is given up: " + reason);
+  } else {
+    tell(Event::Kind::sweep_aborted, now, "is given up: " + reason, reason);
+  }
 }
 
-void Sweep::tell(Event::Kind kind, Utime utime, const std::string& text) {
+double Sweep::travel_speed(const Axis& axis) const { return std::min(active_config_.travel_speed, axis.max_speed()); }
+
+void Sweep::tell(Event::Kind kind, Utime utime, const std::string& text, const std::string& reason) {
   Event event;
   event.kind = kind;
   event.utime = utime;
   event.sweep = number_;
   if (pan_.state()) event.position = pan_.state()->position;
+  event.reason = reason;
   event.text = "sweep " + std::to_string(number_) + " " + text;
   events_.push_back(std::move(event));
 }

@@ -35,6 +35,7 @@ class Sweep {
 
   void set_config(const SweepConfig& config) { config_ = config; }  ///< For the next sweep.
   const SweepConfig& config() const { return config_; }
+  const SweepConfig& active_config() const { return active_config_; }  ///< Of the present or last sweep.
   bool active() const { return phase_ != Phase::idle; }
   bool scanning() const { return phase_ == Phase::scanning && pan_.motion().accepted(); }
   std::int64_t number() const { return number_; }  ///< Of the present or last sweep, from 1; 0: none yet.
@@ -48,7 +49,8 @@ class Sweep {
   void enter(Phase phase, Utime now);
   void follow_scan(Utime now);
   void abort(const std::string& reason, Utime now);
-  void tell(Event::Kind kind, Utime utime, const std::string& text);
+  void tell(Event::Kind kind, Utime utime, const std::string& text, const std::string& reason = {});
+  double travel_speed(const Axis& axis) const;
   double end() const { return active_config_.start + active_config_.angle; }
 
   SweepConfig config_, active_config_;

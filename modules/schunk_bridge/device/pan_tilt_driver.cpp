@@ -5,6 +5,7 @@
 #include <thread>
 #include <utility>
 
+#include "common/clock/host_time.h"
 #include "common/files/input_error.h"
 #include "modules/schunk_bridge/core/candump.h"
 #include "modules/schunk_bridge/core/message.h"
@@ -13,6 +14,7 @@ namespace scanway::schunk {
 namespace {
 
 constexpr Utime kOpenAgain = 500'000;
+constexpr Utime kAMoment = 10'000'000;
 constexpr Utime kFullTooLong = 500'000;
 constexpr int kMostFramesATurn = 256;
 
@@ -30,10 +32,7 @@ std::vector<std::uint16_t> ids_of(const PanTiltConfig& config) {
 PanTiltDriver::PanTiltDriver(std::string bus, const PanTiltConfig& config)
     : bus_(std::move(bus)), ids_(ids_of(config)), core_(config) {}
 
-Utime PanTiltDriver::now() {
-  return std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::system_clock::now().time_since_epoch())
-      .count();
-}
+Utime PanTiltDriver::now() { return host_now(); }
 
 void PanTiltDriver::step(int timeout_ms) {
   timeout_ms = std::clamp(timeout_ms, 0, 10);
@@ -109,9 +108,14 @@ void PanTiltDriver::disconnect(const std::string& why) {
 }
 
 void PanTiltDriver::tell(const std::string& line) {
+  told_at_ = now();
   if (line == told_) return;
   told_ = line;
   troubles_.push_back(line);
+}
+
+std::string PanTiltDriver::trouble() const {
+  return link_ == nullptr || now() - told_at_ < kAMoment ? told_ : std::string();
 }
 
 std::vector<std::string> PanTiltDriver::take_troubles() { return std::exchange(troubles_, {}); }

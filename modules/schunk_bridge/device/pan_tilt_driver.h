@@ -35,6 +35,8 @@ class PanTiltDriver {
 
   /// One line for each thing that happened to the bus since the last call; the same one is said once.
   std::vector<std::string> take_troubles();
+  /// What keeps the bus from working, or did a moment ago; empty: nothing.
+  std::string trouble() const;
 
   /// Now, as every time that the core gets: microseconds since 1970.
   static Utime now();
@@ -56,11 +58,17 @@ class PanTiltDriver {
   bool sent_ = false;
   Utime full_since_ = 0;
   std::string told_;
+  Utime told_at_ = 0;
   std::vector<std::string> troubles_;
 };
 
-/// Tries the bus and both modules for three seconds, and says in a few lines what is there. Moves nothing.
-/// Throws InputError when the bus cannot be used.
-std::vector<std::string> probe(const std::string& bus, const PanTiltConfig& config);
+/// What a try of the bus and its modules found.
+struct ProbeResult {
+  bool works = false;              ///< Both axes tell where they are.
+  std::vector<std::string> lines;  ///< What was found, for people.
+};
+
+/// Tries the bus and both modules for three seconds. Moves nothing. Throws InputError when the bus cannot be used.
+ProbeResult probe(const std::string& bus, const PanTiltConfig& config);
 
 }  // namespace scanway::schunk

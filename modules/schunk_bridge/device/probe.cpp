@@ -36,8 +36,7 @@ struct Others {
 
 std::vector<std::string> look_for_others(const std::string& bus, const PanTiltConfig& config) {
   const auto link = open_can(bus);
-  for (const std::uint8_t module : {config.pan.module, config.tilt.module})
-    link->send(powercube::ask_position(module));
+  for (const std::uint8_t module : {config.pan.module, config.tilt.module}) link->send(powercube::ask_position(module));
   // Every id there is, two milliseconds apart: reading a setting disturbs nobody.
   Others others;
   for (int module = 1; module <= 255; ++module) {
@@ -60,20 +59,23 @@ std::vector<std::string> look_for_others(const std::string& bus, const PanTiltCo
 
 }  // namespace
 
-std::vector<std::string> probe(const std::string& bus, const PanTiltConfig& config) {
+ProbeResult probe(const std::string& bus, const PanTiltConfig& config) {
   open_can(bus);  // Or say why not.
   PanTiltDriver driver(bus, config);
-  std::vector<std::string> lines;
+  ProbeResult result;
+  std::vector<std::string>& lines = result.lines;
+  if (is_pretended_can(bus)) lines.push_back(bus + ": not a CAN bus, but a program that pretends one");
   const auto ready = [&] {
     return driver.core().pan().phase() == Axis::Phase::ready && driver.core().tilt().phase() == Axis::Phase::ready;
   };
   for (const Utime end = PanTiltDriver::now() + kProbeTime; PanTiltDriver::now() < end && !ready();) driver.step(10);
   for (const std::string& trouble : driver.take_troubles()) lines.push_back(trouble);
   for (const Event& event : driver.core().take_events()) lines.push_back(event.text);
-  if (!ready()) {
+  result.works = ready();
+  if (!result.works) {
     for (const std::string& line : look_for_others(bus, config)) lines.push_back(line);
   }
-  return lines;
+  return result;
 }
 
 }  // namespace scanway::schunk

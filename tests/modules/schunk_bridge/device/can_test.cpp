@@ -187,15 +187,17 @@ TEST_F(Can, NamesWhatIsWrongWithAnInterface) {
 TEST_F(Can, ProbeSaysWhatIsThere) {
   {
     Responder responder;
-    const auto lines = schunk::probe("vcan0", {});
-    ASSERT_EQ(lines.size(), 2u);
-    EXPECT_NE(lines[0].find("PW-70"), std::string::npos);
+    const auto found = schunk::probe("vcan0", {});
+    EXPECT_TRUE(found.works);
+    ASSERT_EQ(found.lines.size(), 2u);
+    EXPECT_NE(found.lines[0].find("PW-70"), std::string::npos);
     schunk::PanTiltConfig config;
     config.tilt.module = 13;
     const auto others = schunk::probe("vcan0", config);
-    EXPECT_NE(others.back().find("ids answer: 11, 12"), std::string::npos);
+    EXPECT_FALSE(others.works);
+    EXPECT_NE(others.lines.back().find("ids answer: 11, 12"), std::string::npos);
   }
-  EXPECT_NE(schunk::probe("vcan0", {}).back().find("no module answers"), std::string::npos);
+  EXPECT_NE(schunk::probe("vcan0", {}).lines.back().find("no module answers"), std::string::npos);
 }
 
 }  // namespace
