@@ -60,6 +60,8 @@ class Base {
   /// What to write before the port is closed.
   static std::vector<Packet> farewell();
 
+  bool motors_on() const { return drive_.motors_on(); }
+  bool stalled() const { return stalled_; }
   bool ready() const { return phase_ == Phase::running && has_pose_; }
   const WheelPose& pose() const { return odometry_.pose(); }
   const std::optional<MotorReport>& motors() const { return motors_; }

@@ -6,6 +6,7 @@
 #include <thread>
 #include <utility>
 
+#include "common/clock/host_time.h"
 #include "common/files/input_error.h"
 
 namespace scanway::erratic {
@@ -31,16 +32,14 @@ BaseDriver::~BaseDriver() {
   }
 }
 
-Utime BaseDriver::now() {
-  return std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::system_clock::now().time_since_epoch())
-      .count();
-}
+Utime BaseDriver::now() { return host_now(); }
 
 void BaseDriver::open() {
   if (const Utime since = now() - opened_last_; since >= 0 && since < kOpenAgain) return;
   opened_last_ = now();
   try {
     port_.emplace(path_, core_.baud());
+    ++times_opened_;
     core_.port_opened(now());
     if (!told_.empty()) tell(path_ + ": the serial port is there again");
     told_.clear();
@@ -86,20 +85,22 @@ void BaseDriver::tell(const std::string& line) {
 
 std::vector<std::string> BaseDriver::take_troubles() { return std::exchange(troubles_, {}); }
 
-std::vector<std::string> probe(const std::string& port) {
+ProbeResult probe(const std::string& port) {
   { const SerialPort usable(port, 38400); }
   BaseDriver driver(port, {});
-  std::vector<std::string> lines;
+  ProbeResult result;
+  std::vector<std::string>& lines = result.lines;
   for (const Utime end = BaseDriver::now() + kProbeTime; BaseDriver::now() < end && !driver.core().ready();) {
     driver.step(10);
   }
   for (const std::string& trouble : driver.take_troubles()) lines.push_back(trouble);
   for (const BaseEvent& event : driver.core().take_events()) lines.push_back(event.text);
-  if (driver.core().ready() && driver.core().motors()) {
+  result.works = driver.core().ready();
+  if (result.works && driver.core().motors()) {
     const std::string volts = std::to_string(driver.core().motors()->battery_V);
     lines.push_back("it sends its odometry; battery " + volts.substr(0, volts.find('.') + 2) + " V");
   }
-  return lines;
+  return result;
 }
 
 }  // namespace scanway::erratic

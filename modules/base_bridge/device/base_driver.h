@@ -27,6 +27,9 @@ class BaseDriver {
 
   /// One line for each thing that happened to the port since the last call; the same one is said once.
   std::vector<std::string> take_troubles();
+  /// What is wrong with the port; empty: nothing.
+  const std::string& trouble() const { return told_; }
+  std::uint64_t times_opened() const { return times_opened_; }
 
   /// Now, as every time that the core gets: microseconds since 1970.
   static Utime now();
@@ -40,12 +43,18 @@ class BaseDriver {
   Base core_;
   std::optional<SerialPort> port_;
   Utime opened_last_ = 0;
+  std::uint64_t times_opened_ = 0;
   std::string told_;
   std::vector<std::string> troubles_;
 };
 
-/// Tries the port at both baud rates for some seconds, and says in a few lines what is there. Moves nothing. Throws
-/// InputError when the port cannot be used.
-std::vector<std::string> probe(const std::string& port);
+/// What a try of the port found.
+struct ProbeResult {
+  bool works = false;              ///< A base sends its odometry.
+  std::vector<std::string> lines;  ///< What was found, for people.
+};
+
+/// Tries the port at both baud rates for some seconds. Moves nothing. Throws InputError when the port cannot be used.
+ProbeResult probe(const std::string& port);
 
 }  // namespace scanway::erratic

@@ -173,7 +173,9 @@ TEST(BaseDriver, NamesWhatIsWrongWithAPort) {
 TEST(BaseDriver, ProbeSaysWhatIsThere) {
   const test::ScratchFolder folder;
   PluggedRobot robot(folder / "port");
-  const auto lines = erratic::probe(folder / "port");
+  const auto found = erratic::probe(folder / "port");
+  EXPECT_TRUE(found.works);
+  const auto& lines = found.lines;
   ASSERT_EQ(lines.size(), 2u);
   EXPECT_NE(lines[0].find("era-1"), std::string::npos);
   EXPECT_NE(lines[1].find("12.3 V"), std::string::npos);
