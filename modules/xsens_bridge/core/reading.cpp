@@ -96,8 +96,8 @@ TrackerReading make_reading(std::span<const Item> items, const TrackerAccuracy& 
   if (!reading.status) reading.status = integer_of(items, Quantity::status_byte);
   reading.q_world_sensor = orientation_of(items);
   const double factor = reading.healthy() ? 1.0 : kUnhealthyFactor;
-  reading.tilt_sigma = factor * radians(accuracy.tilt_sigma_deg);
-  reading.heading_sigma = factor * radians(accuracy.heading_sigma_deg);
+  reading.tilt_sigma = factor * accuracy.tilt_sigma;
+  reading.heading_sigma = factor * accuracy.heading_sigma;
   reading.acceleration = vector_of(items, Quantity::acceleration);
   reading.rate_of_turn = vector_of(items, Quantity::rate_of_turn);
   reading.magnetic_field = vector_of(items, Quantity::magnetic_field);

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "common/math/angle.h"
 #include "modules/xsens_bridge/core/item.h"
 
 namespace scanway::xsens {
@@ -20,10 +21,10 @@ enum StatusBits : std::uint32_t {
   kClippedMagneticField = 7U << 14,
 };
 
-/// How good the orientation of a healthy tracker is, by its data sheet: degrees, one sigma.
+/// How good the orientation of a healthy tracker is where it sits: radians, one sigma. These are a data sheet's.
 struct TrackerAccuracy {
-  double tilt_sigma_deg = 0.5;
-  double heading_sigma_deg = 1.0;
+  double tilt_sigma = radians(0.5L);
+  double heading_sigma = radians(1);
 };
 
 /// What one message measured, in one convention whatever the tracker's. What it does not hold is nothing.
@@ -46,7 +47,7 @@ struct TrackerReading {
 };
 
 /// The reading in the items of an MTData or MTData2 message. An orientation that is none (a quaternion far from length
-/// one, NaN) is left out. An unhealthy tracker's sigmas are kUnhealthyFactor times those of the data sheet.
+/// one, NaN) is left out. An unhealthy tracker's sigmas are kUnhealthyFactor times those of `accuracy`.
 TrackerReading make_reading(std::span<const Item> items, const TrackerAccuracy& accuracy = {});
 
 constexpr double kUnhealthyFactor = 10.0;

@@ -42,6 +42,9 @@ class TrackerDevice {
   bool measuring() const { return dialogue_ && dialogue_->state() == Dialogue::State::measuring; }
   /// Since the port was opened, or nothing while it is not.
   const Dialogue* dialogue() const { return dialogue_ ? &*dialogue_ : nullptr; }
+  /// Why it does not measure, in one line; empty: it is not known to fail.
+  const std::string& trouble() const { return back_off_.reason(); }
+  const std::string& port() const { return address_.port; }
   /// Of the open port, or 0.
   int baud() const { return port_ ? port_->baud() : 0; }
   /// Since the start, over all openings of the port.
