@@ -127,9 +127,15 @@ void add_replay(CLI::App& app, Action& action) {
   static ReplayOptions options;
   CLI::App* command = app.add_subcommand("replay", "A log in; map, cost map, path and pictures out");
   command->add_option("log", options.log, "The log")->required();
-  command->add_option("-o,--output", options.output, "Folder for the products")->required();
+  auto* output = command->add_option("-o,--output", options.output, "Folder for the products");
   command->add_option("--robot", options.robot, "Robot file in place of the log's own configuration");
-  command->callback([&action] { action = [] { return run_replay(options); }; });
+  static bool verifies = false;
+  auto* verify = command->add_flag("--verify", verifies, "Compare the log's own products with what its inputs give");
+  verify->excludes(output);
+  command->callback([&action] {
+    if (!verifies && options.output.empty()) throw CLI::RequiredError("--output or --verify");
+    action = [] { return verifies ? run_verify(options) : run_replay(options); };
+  });
 }
 
 void add_info(CLI::App& app, Action& action) {

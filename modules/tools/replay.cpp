@@ -11,6 +11,7 @@
 #include "common/files/product_folder.h"
 #include "modules/replay/products.h"
 #include "modules/replay/replay.h"
+#include "modules/replay/verify/verify.h"
 #include "modules/tools/progress_bar.h"
 
 namespace scanway::tools {
@@ -51,6 +52,18 @@ int run_replay(const ReplayOptions& options) {
   }
   if (!robot) spdlog::warn("{}: holds no configuration (PARAMS); took the built-in ERA-Mobi", printable(options.log));
   return 0;
+}
+
+int run_verify(const ReplayOptions& options) {
+  std::optional<Robot> robot;
+  if (!options.robot.empty()) robot = load_robot(options.robot);
+  Verification verification;
+  {
+    ProgressBar bar("verifying " + printable(options.log));
+    verification = verify(options.log, robot, [&bar](double share) { bar.show(share); });
+  }
+  std::fputs(verification.text().c_str(), stdout);
+  return verification.status();
 }
 
 }  // namespace scanway::tools

@@ -44,4 +44,14 @@ path_t path_message(const PlanBasis& basis, planning::BodyMode mode, const plann
   return message;
 }
 
+// A planner of its own each time: among ways of the same cost, one that has planned before may take another.
+path_t planned_path(const Robot& robot, planning::BodyMode mode, const CostMap& map, const PlanBasis& basis,
+                    StageListener* stages) {
+  begin_stage(stages, "planner_map");
+  planning::Planner planner(robot, mode);
+  planner.set_map(map);
+  begin_stage(stages, "plan");
+  return path_message(basis, mode, planner.plan(basis.start->X_map_base.translation().head<2>(), basis.goal->place));
+}
+
 }  // namespace scanway

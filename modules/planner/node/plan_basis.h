@@ -9,6 +9,9 @@
 #include <Eigen/Core>
 
 #include "common/geometry/pose.h"
+#include "common/grid/cost_map.h"
+#include "common/progress/stages.h"
+#include "common/robot/robot.h"
 #include "common/time/utime.h"
 #include "modules/planner/core/planner.h"
 #include "modules/planner/node/cost_map_replica.h"
@@ -40,6 +43,11 @@ const char* name_of(planning::BodyMode mode);
 
 /// A plan as a message. `basis` is complete.
 path_t path_message(const PlanBasis& basis, planning::BodyMode mode, const planning::PlanResult& result);
+
+/// The plan that counts for this basis, whatever was planned before. `map` is the basis' version, `stages` may be
+/// absent.
+path_t planned_path(const Robot& robot, planning::BodyMode mode, const CostMap& map, const PlanBasis& basis,
+                    StageListener* stages = nullptr);
 
 /// The versions of PATH's objects: the plan's time, and never the same twice for a mode, so that a newer plan always
 /// replaces an older one.

@@ -169,14 +169,8 @@ void PlannerNode::plan() {
   begin_stage(stages_, "");
 }
 
-// A planner of its own each time: among ways of the same cost, one that has planned before may take another.
 path_t PlannerNode::plan(planning::BodyMode mode) {
-  begin_stage(stages_, "planner_map");
-  planning::Planner planner(robot_, mode);
-  planner.set_map(map_);
-  begin_stage(stages_, "plan");
-  path_t message =
-      path_message(basis_, mode, planner.plan(basis_.start->X_map_base.translation().head<2>(), basis_.goal->place));
+  path_t message = planned_path(robot_, mode, map_, basis_, stages_);
   publish_object(bus_, channel::kPath, encode(message), message.mode, newest_.next(message), message.utime);
   return message;
 }

@@ -1,0 +1,133 @@
+#include "modules/replay/verify/sweep_list.h"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "common/files/printable.h"
+#include "common/messages/codec.h"
+#include "common/messages/digest.h"
+#include "scanway/sweep_t.hpp"
+
+namespace scanway {
+namespace {
+
+std::string hex_of(std::int64_t digest) { return hex(static_cast<std::uint64_t>(digest)); }
+
+/// What the log holds of one input channel of a sweep.
+struct FoundInput {
+  std::vector<RecordedLog::Bytes> messages;
+  std::string missing;  ///< Empty: nothing.
+};
+
+/// The one message, or all messages of the span in the order of their times: whichever has the digest.
+FoundInput find_input(const RecordedLog& log, const input_span_t& input) {
+  if (input.used_count <= 0) return {};
+  const auto& all = log.messages(input.channel);
+  const auto first = all.lower_bound(input.first_utime), end = all.upper_bound(input.last_utime);
+  std::vector<RecordedLog::Bytes> messages;
+  std::vector<std::uint8_t> together;
+  for (auto one = first; one != end; ++one) {
+    if (input.used_count == 1) {
+      if (static_cast<std::int64_t>(digest(one->second)) == input.used_digest) return {{one->second}, {}};
+      continue;
+    }
+    messages.push_back(one->second);
+    together.insert(together.end(), one->second.begin(), one->second.end());
+  }
+  if (input.used_count > 1 && static_cast<std::int64_t>(digest(together)) == input.used_digest) return {messages, {}};
+  if (input.used_count == 1) {
+    return {{},
+            fmt::format("{} at {} digest {}", printable(input.channel), input.first_utime, hex_of(input.used_digest))};
+  }
+  return {
+      {},
+      fmt::format("{} from {} to {} digest {}: {} messages, the log holds {}", printable(input.channel),
+                  input.first_utime, input.last_utime, hex_of(input.used_digest), input.used_count, messages.size())};
+}
+
+/// The object on SWEEP with that digest, whatever its key: whole, or the name of what is missing.
+const RecordedObject* find_sweep(const RecordedLog& log, const sweep_inputs_t& listed, std::string& missing) {
+  missing =
+      fmt::format("SWEEP {} at {} digest {}", printable(listed.sweep_name), listed.utime, hex_of(listed.sweep_digest));
+  for (const auto& [name, object] : log.objects_of(channel::kSweep)) {
+    if (name.digest != listed.sweep_digest) continue;
+    if (object.whole() && object.fault().empty()) {
+      missing.clear();
+      return &object;
+    }
+    missing += ": " + (object.whole() ? object.fault() : object.lacking());
+    return nullptr;
+  }
+  missing += ": all of it";
+  return nullptr;
+}
+
+/// Why the list cannot be of that sweep; empty: it can.
+std::string contradiction(const sweep_inputs_t& listed, const RecordedObject& object) {
+  const auto sweep = decode<sweep_t>(object.bytes().value());
+  if (sweep.utime == listed.utime && sweep.name == listed.sweep_name) return {};
+  return fmt::format("SWEEP_INPUTS of {} at {} is not of the sweep that it names, {} at {}",
+                     printable(listed.sweep_name), listed.utime, printable(sweep.name), sweep.utime);
+}
+
+/// The version of the map that the sweep made, as its products say; 0 if none is there.
+std::int64_t map_version_at(const RecordedLog& log, Utime sweep) {
+  std::int64_t version = 0;
+  for (const RecordedName& name : log.products_at(sweep)) {
+    if (!name.key.empty()) version = std::max(version, name.version);
+  }
+  return version;
+}
+
+void find_what_is_not_listed(const RecordedLog& log, SweepList& list) {
+  std::set<Utime> listed;
+  for (const ListedSweep& sweep : list.sweeps) listed.insert(sweep.utime);
+  for (const Utime sweep : log.sweeps()) {
+    if (listed.contains(sweep)) continue;
+    list.not_listed.push_back(sweep);
+    list.missing.push_back(fmt::format("SWEEP_INPUTS at {}: the log holds {} of that sweep", sweep,
+                                       text_of(log.products_at(sweep).front())));
+  }
+  std::int64_t count = static_cast<std::int64_t>(list.not_listed.size());
+  for (ListedSweep& sweep : list.sweeps) {
+    const std::int64_t version = map_version_at(log, sweep.utime);
+    if (version <= ++count) continue;
+    list.missing.push_back(fmt::format("SWEEP_INPUTS before {}: that sweep made map version {}, and the log lists {}",
+                                       sweep.utime, version, count));
+    list.not_listed.push_back(sweep.utime - 1);
+    return;
+  }
+}
+
+}  // namespace
+
+SweepList list_sweeps(const RecordedLog& log) {
+  SweepList list;
+  std::set<std::pair<Utime, std::int64_t>> known;
+  for (const sweep_inputs_t& listed : log.sweep_inputs()) {
+    if (!known.emplace(listed.utime, listed.sweep_digest).second) {
+      list.difference = fmt::format("the log holds two different SWEEP_INPUTS of {} at {}",
+                                    printable(listed.sweep_name), listed.utime);
+      continue;
+    }
+    ListedSweep sweep{listed.utime, listed.sweep_name, {}, nullptr, true};
+    for (const input_span_t& input : listed.inputs) {
+      const FoundInput found = find_input(log, input);
+      for (const auto& message : found.messages) sweep.messages.emplace_back(input.channel, message);
+      sweep.complete = sweep.complete && found.missing.empty();
+      if (!found.missing.empty()) list.missing.push_back(found.missing);
+    }
+    std::string missing;
+    sweep.sweep = find_sweep(log, listed, missing);
+    if (sweep.sweep == nullptr) list.missing.push_back(missing);
+    sweep.complete = sweep.complete && sweep.sweep != nullptr;
+    if (sweep.sweep != nullptr && list.difference.empty()) list.difference = contradiction(listed, *sweep.sweep);
+    list.sweeps.push_back(std::move(sweep));
+  }
+  find_what_is_not_listed(log, list);
+  return list;
+}
+
+}  // namespace scanway

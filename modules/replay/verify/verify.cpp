@@ -1,0 +1,191 @@
+#include "modules/replay/verify/verify.h"
+
+#include <algorithm>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "common/bus/memory_bus.h"
+#include "common/files/input_error.h"
+#include "common/files/printable.h"
+#include "common/messages/codec.h"
+#include "common/messages/pose_message.h"
+#include "modules/mapper/node/mapper_node.h"
+#include "modules/replay/verify/configuration.h"
+#include "modules/replay/verify/derived_products.h"
+#include "modules/replay/verify/recorded_log.h"
+#include "modules/replay/verify/recorded_paths.h"
+#include "modules/replay/verify/sweep_list.h"
+#include "scanway/registration_t.hpp"
+
+namespace scanway {
+namespace {
+
+/// A mapper that works on listed sweeps, one after the other.
+class Rerun {
+ public:
+  /// `poses` gets where the robot stood.
+  Rerun(const Robot& robot, std::vector<Start>& poses) : mapper_(bus_, robot) {
+    derived_.listen(bus_);
+    bus_.subscribe(channel::kPose.name, [&poses](const BusMessage& message) {
+      const auto pose = decode<bot_core::pose_t>(message.bytes);
+      poses.push_back({pose.utime, pose_of(pose)});
+    });
+  }
+
+  void add(const ListedSweep& sweep) {
+    derived_.clear();
+    for (const auto& [channel, message] : sweep.messages) bus_.publish(channel, message, sweep.utime);
+    for (const auto& [number, piece] : sweep.sweep->pieces()) bus_.publish(channel::kSweep.name, piece, sweep.utime);
+    bus_.dispatch();
+    mapper_.finish();
+    bus_.dispatch();
+  }
+  const DerivedProducts& derived() const { return derived_; }
+  const CostMap& cost_map() const { return mapper_.mapper().map().cost_map(); }
+  /// Without its tiles.
+  ClosedVersion version() const {
+    const map_state_t state = mapper_.state();
+    return {state.map_version, state.utime, state.map_digest, 0, 0, 0, {}};
+  }
+
+ private:
+  MemoryBus bus_;
+  MapperNode mapper_;
+  DerivedProducts derived_;
+};
+
+/// The whole work, a step a function.
+class Verifier {
+ public:
+  Verifier(const std::string& path, const std::optional<Robot>& robot)
+      : log_(path), list_(list_sweeps(log_)), paths_(log_) {
+    result_.holds_derived = log_.holds_derived();
+    result_.sweeps = list_.sweeps.size();
+    result_.trouble = log_.trouble();
+    result_.missing = list_.missing;
+    if (result_.holds_derived) configure(path, robot);
+    const auto add = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+    add(result_.missing, paths_.missing());
+    for (const std::string& path_text : paths_.not_whole()) result_.notes.push_back("not compared: " + path_text);
+  }
+
+  Verification run(const std::function<void(double)>& progress) {
+    result_.difference = list_.difference;
+    if (result_.holds_derived && configured_) compute(progress);
+    result_.products += paths_.compared();
+    if (result_.difference.empty() && !log_.bad_messages().empty()) result_.difference = log_.bad_messages().front();
+    return std::move(result_);
+  }
+
+ private:
+  void configure(const std::string& path, const std::optional<Robot>& robot) {
+    if (robot) {
+      mapper_robot_ = planner_robot_ = *robot;
+    } else {
+      const LogConfiguration said = configuration_of(log_, path);
+      result_.missing.insert(result_.missing.end(), said.missing.begin(), said.missing.end());
+      result_.notes = said.notes;
+      if (!said.mapper || !said.planner) return;
+      mapper_robot_ = *said.mapper;
+      planner_robot_ = *said.planner;
+    }
+    configured_ = true;
+  }
+
+  void compute(const std::function<void(double)>& progress) {
+    rerun_ = std::make_unique<Rerun>(mapper_robot_, poses_);
+    bool all = true;
+    for (const ListedSweep& sweep : list_.sweeps) {
+      if (!result_.difference.empty()) return;
+      if (can_compute(sweep)) {
+        compute(sweep);
+      } else if (const auto verdict = recorded_verdict(sweep); !verdict || verdict->accepted) {
+        all = false;  // All that follows rests on it. A refused sweep leaves the map as it was.
+        break;
+      }
+      if (progress) progress(static_cast<double>(result_.computed) / static_cast<double>(list_.sweeps.size()));
+    }
+    all = all && list_.not_listed.empty() && result_.difference.empty();
+    if (all) result_.difference = paths_.compare_starts(poses_);
+  }
+
+  bool can_compute(const ListedSweep& sweep) const {
+    const auto before = [&](Utime other) { return other < sweep.utime; };
+    return sweep.complete && std::ranges::none_of(list_.not_listed, before);
+  }
+
+  void compute(const ListedSweep& sweep) {
+    const auto verdict = recorded_verdict(sweep);
+    // A mapper that was started without its state begins another map.
+    const bool begins = verdict && verdict->accepted && verdict->target_name.empty();
+    if (begins && rerun_->version().version > 0) rerun_ = std::make_unique<Rerun>(mapper_robot_, poses_);
+    const std::int64_t before = rerun_->version().version;
+    rerun_->add(sweep);
+    ++result_.computed;
+    result_.difference = rerun_->derived().difference(log_, sweep.utime);
+    if (!result_.difference.empty()) return;
+    for (const RecordedName& product : log_.products_at(sweep.utime)) note_equal(product);
+    const ClosedVersion version = rerun_->version();
+    if (version.version > before) result_.difference = paths_.compare(planner_robot_, rerun_->cost_map(), version);
+  }
+
+  void note_equal(const RecordedName& product) {
+    ++result_.products;
+    const auto object = log_.objects().find(product);
+    if (object == log_.objects().end() || object->second.whole()) return;
+    result_.notes.push_back(
+        fmt::format("compared by its digest alone: {}: lacks {}", text_of(product), object->second.lacking()));
+  }
+
+  std::optional<registration_t> recorded_verdict(const ListedSweep& sweep) const {
+    const auto same_time = log_.messages(channel::kRegistration.name).equal_range(sweep.utime);
+    for (auto one = same_time.first; one != same_time.second; ++one) {
+      const auto verdict = decode<registration_t>(one->second);
+      if (verdict.scan_name == sweep.name) return verdict;
+    }
+    return std::nullopt;
+  }
+
+  const RecordedLog log_;
+  const SweepList list_;
+  RecordedPaths paths_;
+  bool configured_ = false;
+  Robot mapper_robot_;
+  Robot planner_robot_;
+  std::vector<Start> poses_;
+  std::unique_ptr<Rerun> rerun_;
+  Verification result_;
+};
+
+}  // namespace
+
+Verification::Status Verification::status() const {
+  if (!difference.empty() || !trouble.empty()) return kDifferent;
+  if (!holds_derived) return kNothingDerived;
+  return missing.empty() ? kEqual : kIncomplete;
+}
+
+std::string Verification::text() const {
+  std::string text;
+  if (!trouble.empty()) text += "damaged: the log is " + trouble + "\n";
+  if (!difference.empty()) text += "different: " + difference + "\n";
+  for (const std::string& input : missing) text += "missing: " + input + "\n";
+  for (const std::string& note : notes) text += "note: " + note + "\n";
+  if (!holds_derived) return text + "nothing to verify: the log holds no derived object\n";
+  if (!difference.empty()) return text;
+  if (missing.empty()) return text + fmt::format("verified: {} objects of {} sweeps equal\n", products, sweeps);
+  return text +
+         fmt::format("incomplete: {} of {} sweeps could be computed, {} objects equal\n", computed, sweeps, products);
+}
+
+Verification verify(const std::string& log, const std::optional<Robot>& robot,
+                    const std::function<void(double)>& progress) {
+  try {
+    return Verifier(log, robot).run(progress);
+  } catch (const BadMessage& bad) {
+    throw InputError(printable(log) + ": cannot be verified: " + bad.what());
+  }
+}
+
+}  // namespace scanway
