@@ -1,5 +1,7 @@
 #pragma once
 
+#include <sys/mman.h>
+
 #include <cstdlib>
 #include <memory>
 #include <new>
@@ -19,8 +21,11 @@ class LazyArray {
   void clear() {
     data_.reset();
     if (size_ == 0) return;
-    data_.reset(static_cast<T*>(std::calloc(size_, sizeof(T))));
-    if (data_ == nullptr) throw std::bad_alloc();
+    void* const fresh =
+        ::mmap(nullptr, size_ * sizeof(T), PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (fresh == MAP_FAILED) throw std::bad_alloc();
+    ::madvise(fresh, size_ * sizeof(T), MADV_HUGEPAGE);
+    data_ = std::unique_ptr<T, Free>(static_cast<T*>(fresh), Free{size_ * sizeof(T)});
   }
 
   T& operator[](std::size_t i) { return data_.get()[i]; }
@@ -29,7 +34,8 @@ class LazyArray {
 
  private:
   struct Free {
-    void operator()(T* data) const { std::free(data); }
+    std::size_t bytes = 0;
+    void operator()(T* data) const { ::munmap(data, bytes); }
   };
 
   std::size_t size_;

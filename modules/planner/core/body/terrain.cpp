@@ -55,9 +55,10 @@ Terrain::Terrain(const CostMap& map, const CellRectangle& bounds, const Body& bo
       occupied_(frame_),
       free_(frame_),
       blocked_(frame_),
-      fields_(frame_.cells()),
+      cells_(frame_.cells()),
       slots_(frame_.cells()) {
   unseen_weight_ = weight(CellState::unknown, 0);
+  seen_weight_ = weight(CellState::free, 0);
   if (options.unknown == UnknownPolicy::never) blocked_.fill();
   Changes changes;
   for (const auto& tile : map.tiles) load(map, tile.first, changes);
@@ -114,11 +115,13 @@ void Terrain::load_word(const CellState* states, const std::uint32_t* costs, std
   for (std::uint32_t i = 0; i < 64; ++i) {
     occupied |= std::uint64_t{states[i] == CellState::occupied} << i;
     free |= std::uint64_t{states[i] == CellState::free} << i;
-    std::uint16_t& field = fields_[first + i];
+    const std::uint16_t field = cells_[first + i].field();
+    const std::uint16_t known = field & kWeightMask;
     const std::uint16_t now = weight(states[i], costs[i]);
-    if ((field & kWeightMask) == now) continue;
+    // What costs nothing needs no memory before somebody asks.
+    if (known == now || (known == 0 && costs[i] == 0)) continue;
     if (class_of(field) != Class::unasked) changes.weights.push_back(first + i);
-    field = static_cast<std::uint16_t>((field & ~kWeightMask) | now);
+    cells_[first + i].set_field(static_cast<std::uint16_t>((field & ~kWeightMask) | now));
   }
   const std::uint64_t blocked = options_.unknown == UnknownPolicy::never ? ~free : occupied;
   const std::uint64_t before = blocked_.word(y, x / 64);
@@ -130,23 +133,44 @@ void Terrain::load_word(const CellState* states, const std::uint32_t* costs, std
   blocked_.set_word(y, x / 64, blocked);
 }
 
-std::uint16_t Terrain::ask(std::uint32_t index) {
+std::uint32_t Terrain::first_of_block(std::uint32_t index) const {
   const auto width = static_cast<std::uint32_t>(frame_.width);
-  const std::uint32_t row = index / width / kBlock * kBlock;
-  const std::uint32_t column = index % width / kBlock;
+  return index / width / kBlock * kBlock * width + index % width / kBlock * kBlock;
+}
+
+std::uint16_t Terrain::ask(std::uint32_t index) {
+  asked_.push_back(first_of_block(index));
+  name_block(asked_.back());
+  return cells_[index].field();
+}
+
+void Terrain::name_block(std::uint32_t first) {
+  const auto width = static_cast<std::uint32_t>(frame_.width);
+  const auto row = static_cast<std::int32_t>(first / width);
+  const auto column = static_cast<std::int32_t>(first % width / kBlock);
   Block blocked;
   Block roomy;
-  classify(static_cast<std::int32_t>(row), static_cast<std::int32_t>(column), blocked, roomy);
+  classify(row, column, blocked, roomy);
   for (std::uint32_t y = 0; y < kBlock; ++y) {
-    std::uint16_t* fields = &fields_[(row + y) * width + column * kBlock];
+    const std::int32_t line = row + static_cast<std::int32_t>(y);
+    const std::uint64_t seen = occupied_.word(line, column) | free_.word(line, column);
+    CellWord* words = &cells_[first + y * width];
     for (std::uint32_t x = 0; x < kBlock; ++x) {
       const Class now = (blocked[y] >> x) & 1 ? Class::blocked : (roomy[y] >> x) & 1 ? Class::roomy : Class::tight;
-      const std::uint16_t known = fields[x] & kWeightMask;
-      fields[x] = static_cast<std::uint16_t>((known != 0 ? known : unseen_weight_) | static_cast<std::uint16_t>(now)
-                                                                                         << kClassShift);
+      const std::uint16_t known = words[x].field() & kWeightMask;
+      const std::uint16_t weight = known != 0 ? known : (seen >> x) & 1 ? seen_weight_ : unseen_weight_;
+      words[x].set_field(static_cast<std::uint16_t>(weight | static_cast<std::uint16_t>(now) << kClassShift));
     }
   }
-  return fields_[index];
+}
+
+void Terrain::forget_search() {
+  for (const std::uint32_t first : asked_) {
+    for (std::uint32_t y = 0; y < kBlock; ++y) {
+      CellWord* words = &cells_[first + y * static_cast<std::uint32_t>(frame_.width)];
+      for (std::uint32_t x = 0; x < kBlock; ++x) words[x].bits &= std::uint64_t{0xFFFF} << CellWord::kFieldShift;
+    }
+  }
 }
 
 void Terrain::classify(std::int32_t row, std::int32_t column, Block& blocked, Block& roomy) const {
@@ -236,15 +260,15 @@ void Terrain::reclassify_near(const std::vector<std::uint32_t>& cells, std::vect
 void Terrain::reclassify_block(std::int32_t row, std::int32_t column, std::vector<std::uint32_t>& changed) {
   const std::uint32_t first = static_cast<std::uint32_t>(row) * static_cast<std::uint32_t>(frame_.width) +
                               static_cast<std::uint32_t>(column * kBlock);
-  if (class_of(fields_[first]) == Class::unasked) return;
+  if (class_of(cells_[first].field()) == Class::unasked) return;
   std::array<std::uint16_t, kBlock * kBlock> before;
   for (std::uint32_t i = 0; i < before.size(); ++i) {
-    before[i] = fields_[first + i / kBlock * static_cast<std::uint32_t>(frame_.width) + i % kBlock];
+    before[i] = cells_[first + i / kBlock * static_cast<std::uint32_t>(frame_.width) + i % kBlock].field();
   }
-  ask(first);
+  name_block(first);
   for (std::uint32_t i = 0; i < before.size(); ++i) {
     const std::uint32_t index = first + i / kBlock * static_cast<std::uint32_t>(frame_.width) + i % kBlock;
-    if (class_of(fields_[index]) != class_of(before[i])) changed.push_back(index);
+    if (class_of(cells_[index].field()) != class_of(before[i])) changed.push_back(index);
   }
 }
 

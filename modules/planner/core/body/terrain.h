@@ -9,6 +9,7 @@
 #include "common/robot/robot.h"
 #include "modules/planner/core/body/bit_grid.h"
 #include "modules/planner/core/body/body.h"
+#include "modules/planner/core/body/cell_word.h"
 #include "modules/planner/core/body/disc_dilation.h"
 
 namespace scanway::planning {
@@ -57,9 +58,14 @@ class Terrain {
 
   /// Class and weight of a cell in one word.
   std::uint16_t field(std::uint32_t index) {
-    const std::uint16_t field = fields_[index];
+    const std::uint16_t field = cells_[index].field();
     return (field >> kClassShift) != 0 ? field : ask(index);
   }
+  /// The cell's word: its field is the terrain's, its value and tag belong to the search.
+  CellWord& word(std::uint32_t index) { return cells_[index]; }
+  const CellWord& word(std::uint32_t index) const { return cells_[index]; }
+  /// Clears value and tag of all cells.
+  void forget_search();
   static Class class_of(std::uint16_t field) { return static_cast<Class>(field >> kClassShift); }
   /// What a metre costs here, in units of 1 / weight_one().
   static std::uint32_t weight_of(std::uint16_t field) { return field & kWeightMask; }
@@ -87,9 +93,10 @@ class Terrain {
   bool blocks(Cell cell) const { return !frame_.contains(cell) || bit(blocked_, cell); }
   const BitGrid& occupied() const { return occupied_; }
 
- private:
   static constexpr int kClassShift = 14;
   static constexpr std::uint16_t kWeightMask = (1u << kClassShift) - 1;
+
+ private:
   struct TightCell {
     std::uint32_t index;
     std::uint16_t headings;
@@ -102,6 +109,8 @@ class Terrain {
   bool bit(const BitGrid& grid, Cell cell) const { return grid.test(cell.x - frame_.low.x, cell.y - frame_.low.y); }
   std::uint16_t weight(CellState state, std::uint32_t cost) const;
   std::uint16_t ask(std::uint32_t index);
+  std::uint32_t first_of_block(std::uint32_t index) const;
+  void name_block(std::uint32_t first);
   void classify(std::int32_t row, std::int32_t column, Block& blocked, Block& roomy) const;
   void load(const CostMap& map, Cell tile, Changes& changes);
   void load_word(const CellState* states, const std::uint32_t* costs, std::int32_t y, std::int32_t x, Changes& changes);
@@ -115,12 +124,13 @@ class Terrain {
   DiscDilation discs_;
   Frame frame_;
   std::uint32_t weight_one_;
-  std::uint16_t unseen_weight_ = 0;
+  std::uint16_t unseen_weight_ = 0, seen_weight_ = 0;  ///< Of a cell that costs nothing.
   std::set<Cell> tiles_;
   BitGrid occupied_;
   BitGrid free_;
   BitGrid blocked_;
-  LazyArray<std::uint16_t> fields_;
+  LazyArray<CellWord> cells_;
+  std::vector<std::uint32_t> asked_;  ///< The first cell of every block that anybody asked for.
   LazyArray<std::uint32_t> slots_;
   std::vector<TightCell> tight_;
 };

@@ -16,7 +16,12 @@ class BucketQueue {
   void push(std::uint64_t key, std::uint32_t node) {
     const std::uint64_t bucket = key >> shift_;
     if (bucket >= buckets_.size()) grow(bucket);
-    buckets_[bucket].push_back(node);
+    std::vector<std::uint32_t>& nodes = buckets_[bucket];
+    if (nodes.capacity() == 0 && !spare_.empty()) {
+      nodes.swap(spare_.back());
+      spare_.pop_back();
+    }
+    nodes.push_back(node);
     occupied_[bucket >> 6] |= std::uint64_t{1} << (bucket & 63);
     if (bucket < lowest_) lowest_ = bucket;
   }
@@ -38,9 +43,15 @@ class BucketQueue {
     nodes.pop_back();
     if (nodes.empty()) {
       occupied_[bucket >> 6] &= ~(std::uint64_t{1} << (bucket & 63));
-      if (nodes.capacity() > 64) std::vector<std::uint32_t>().swap(nodes);
+      spare_.emplace_back().swap(nodes);
     }
     return node;
+  }
+
+  /// The node that pop() will take after `ahead` others, if there is one.
+  const std::uint32_t* peek(std::uint64_t bucket, std::size_t ahead) const {
+    const std::vector<std::uint32_t>& nodes = buckets_[bucket];
+    return nodes.size() <= ahead ? nullptr : &nodes[nodes.size() - 1 - ahead];
   }
 
   std::uint64_t bucket_of(std::uint64_t key) const { return key >> shift_; }
@@ -49,6 +60,7 @@ class BucketQueue {
   void clear() {
     buckets_.clear();
     occupied_.clear();
+    spare_.clear();
     lowest_ = kNone;
   }
 
@@ -63,6 +75,7 @@ class BucketQueue {
   std::uint64_t lowest_ = kNone;
   std::vector<std::vector<std::uint32_t>> buckets_;
   std::vector<std::uint64_t> occupied_;
+  std::vector<std::vector<std::uint32_t>> spare_;  ///< Memory of buckets that are empty again.
 };
 
 }  // namespace scanway::planning

@@ -15,84 +15,95 @@ constexpr std::uint64_t kLongestWay = 1u << 20;
 
 }  // namespace
 
-template <class Cost>
-DStarLite<Cost>::DStarLite(Graph& graph)
+DStarLite::DStarLite(Graph& graph)
     : graph_(&graph),
       cells_(static_cast<Node>(graph.terrain().frame().cells())),
-      stored_(cells_),
-      tags_(cells_),
       queue_(std::bit_width(graph.straight()) - 1),
       rising_(std::bit_width(graph.straight()) - 1) {}
 
-template <class Cost>
-typename DStarLite<Cost>::Tight& DStarLite<Cost>::tight(Node node) {
+CellWord& DStarLite::tight(Node node) {
   const std::size_t at = node - cells_;
   if (at >= tight_.size()) tight_.resize(graph_->terrain().slots() * kHeadings);
   return tight_[at];
 }
 
-template <class Cost>
-std::uint64_t DStarLite<Cost>::key(Node node, std::uint64_t value) const {
-  const Cell cell = graph_->terrain().frame().cell(graph_->index_of(node));
-  return value + graph_->least_cost(cell.x - target_.x, cell.y - target_.y) + k_m_;
+std::uint64_t DStarLite::key(Node node, std::uint64_t value) const {
+  const Cell cell = graph_->cell_of(node);
+  return value + ahead(cell.x, cell.y) + k_m_;
 }
 
-template <class Cost>
-void DStarLite<Cost>::lower(Node node, std::uint64_t value, Link link) {
+void DStarLite::lower(Node node, std::uint64_t value, Link link) {
   if (value >= kInfinite) throw CostOverflow();
-  set_value(node, value);
-  std::uint8_t& flags = tag(node);
-  flags = static_cast<std::uint8_t>((flags & kRoot) | kOpen | link);
+  CellWord& known = word(node);
+  known.set_value(value);
+  known.set_tag(static_cast<std::uint8_t>((known.tag() & kRoot) | kOpen | link));
   queue_.push(key(node, value), node);
 }
 
-template <class Cost>
-void DStarLite<Cost>::start(std::vector<Node> roots, Cell target) {
-  if (!is_first_) {
-    stored_.clear();
-    tags_.clear();
-    tight_.clear();
-    queue_.clear();
-    rising_.clear();
-  }
-  is_first_ = false;
+void DStarLite::start(std::vector<Node> roots, Cell target) {
+  graph_->terrain().forget_search();
+  tight_.clear();
+  queue_.clear();
+  rising_.clear();
   roots_ = std::move(roots);
   target_ = target;
   k_m_ = 0;
   first_expansions_ = 0;
   for (const Node root : roots_) {
-    tag(root) = kRoot;
+    word(root).set_tag(kRoot);
     lower(root, 0, 0);
   }
   effort_.anew = true;
 }
 
-template <class Cost>
-bool DStarLite<Cost>::move_target(Cell target) {
+bool DStarLite::move_target(Cell target) {
   k_m_ += graph_->least_cost(target.x - target_.x, target.y - target_.y);
   target_ = target;
   return k_m_ / graph_->straight() < kLongestWay;
 }
 
-template <class Cost>
-void DStarLite<Cost>::expand(Node node) {
+/// What most nodes are: a cell and its neighbours, all roomy or blocked. Which of the eight gain anything is found
+/// without a branch. Returns false, and has done nothing, for any other node.
+bool DStarLite::expand_roomy(Node node) {
+  Graph::Surroundings around;
+  if (!graph_->surroundings(node, around)) return false;
+  Terrain& terrain = graph_->terrain();
+  const std::uint64_t here = terrain.word(node).value();
+  if (here >= kInfinite - graph_->dearest_step()) throw CostOverflow();
+  unsigned better = 0;
+  for (unsigned step = 0; step < kSteps; ++step) {
+    const CellWord offer = CellWord::with_value(here + around.cost[step]);
+    better |= unsigned{offer.bits > terrain.word(around.node[step]).bits} << step;
+  }
+  const Cell cell = graph_->cell_of(node);
+  for (better &= around.open; better != 0; better &= better - 1) {
+    const auto step = static_cast<std::size_t>(__builtin_ctz(better));
+    const std::uint64_t value = here + around.cost[step];
+    CellWord& next = terrain.word(around.node[step]);
+    next.set_value(value);
+    next.set_tag(static_cast<std::uint8_t>((next.tag() & kRoot) | kOpen | Graph::link_to_roomy_parent(step)));
+    queue_.push(value + k_m_ + ahead(cell.x + kStepX[step], cell.y + kStepY[step]), around.node[step]);
+  }
+  return true;
+}
+
+void DStarLite::expand(Node node) {
   ++effort_.expansions;
-  tag(node) &= static_cast<std::uint8_t>(~kOpen);
+  word(node).set_tag(tag(node) & static_cast<std::uint8_t>(~kOpen));
+  if (node < cells_ && expand_roomy(node)) return;
   const std::uint64_t here = value(node);
   graph_->edges_below(node, [&](Node next, std::uint64_t cost, Link link) {
     if (here + cost < value(next)) lower(next, here + cost, link);
   });
 }
 
-template <class Cost>
-std::uint64_t DStarLite<Cost>::least(const std::vector<Node>& targets) {
+std::uint64_t DStarLite::least(const std::vector<Node>& targets) {
   std::uint64_t least = kInfinite;
   for (const Node target : targets) least = std::min(least, value(target));
   return least;
 }
 
-template <class Cost>
-bool DStarLite<Cost>::search(const std::vector<Node>& targets) {
+bool DStarLite::search(const std::vector<Node>& targets) {
   const std::uint64_t before = effort_.expansions;
   may_drop_ = effort_.dropped + std::max(kAlwaysRepaired, first_expansions_ / kWorthRepairing);
   std::vector<Node> kept;
@@ -102,6 +113,7 @@ bool DStarLite<Cost>::search(const std::vector<Node>& targets) {
     const std::uint64_t bucket = queue_.lowest();
     if (bucket == BucketQueue::kNone || (goal != kInfinite && queue_.lowest_key_of(bucket) >= goal + k_m_)) break;
     const Node node = queue_.pop(bucket);
+    if (const Node* const soon = queue_.peek(bucket, 2)) graph_->prefetch(*soon);
     if ((tag(node) & kOpen) == 0) continue;
     const std::uint64_t now = key(node, value(node));
     if (queue_.bucket_of(now) > bucket) {
@@ -117,15 +129,13 @@ bool DStarLite<Cost>::search(const std::vector<Node>& targets) {
   return true;
 }
 
-template <class Cost>
-std::optional<Node> DStarLite<Cost>::reached(const std::vector<Node>& targets) {
+std::optional<Node> DStarLite::reached(const std::vector<Node>& targets) {
   const std::uint64_t goal = least(targets);
   if (goal == kInfinite) return std::nullopt;
   return *std::find_if(targets.begin(), targets.end(), [&](Node target) { return value(target) == goal; });
 }
 
-template <class Cost>
-bool DStarLite<Cost>::is_supported(Node node) {
+bool DStarLite::is_supported(Node node) {
   const Link link = tag(node) & kLinkMask;
   const std::uint64_t parent = value(graph_->parent(node, link));
   if (parent == kInfinite) return false;
@@ -133,8 +143,7 @@ bool DStarLite<Cost>::is_supported(Node node) {
   return cost && value(node) >= parent + *cost;
 }
 
-template <class Cost>
-typename DStarLite<Cost>::Offer DStarLite<Cost>::best_offer(Node node) {
+DStarLite::Offer DStarLite::best_offer(Node node) {
   Offer best;
   graph_->edges_above(node, [&](Node above, std::uint64_t cost, Link link) {
     const std::uint64_t there = value(above);
@@ -143,22 +152,17 @@ typename DStarLite<Cost>::Offer DStarLite<Cost>::best_offer(Node node) {
   return best;
 }
 
-template <class Cost>
-void DStarLite<Cost>::wait_to_rise(Node node) {
-  rising_.push(key(node, value(node)), node);
-}
+void DStarLite::wait_to_rise(Node node) { rising_.push(key(node, value(node)), node); }
 
 /// The bucket of the next node to expand, or of the targets when they come before it.
-template <class Cost>
-std::uint64_t DStarLite<Cost>::next_bucket(const std::vector<Node>& targets) {
+std::uint64_t DStarLite::next_bucket(const std::vector<Node>& targets) {
   const std::uint64_t goal = least(targets);
   return goal == kInfinite ? queue_.lowest() : std::min(queue_.lowest(), queue_.bucket_of(goal + k_m_));
 }
 
 /// Takes all that waits up to and with the next bucket: so what is expanded, and the way found, rests on nothing that
 /// is gone. Returns false when that is more than it is worth.
-template <class Cost>
-bool DStarLite<Cost>::rise_before(const std::vector<Node>& targets) {
+bool DStarLite::rise_before(const std::vector<Node>& targets) {
   for (std::uint64_t bucket = rising_.lowest(); bucket != BucketQueue::kNone; bucket = rising_.lowest()) {
     if (bucket > next_bucket(targets)) return true;
     const Node node = rising_.pop(bucket);
@@ -176,17 +180,16 @@ bool DStarLite<Cost>::rise_before(const std::vector<Node>& targets) {
 
 /// Another parent at no higher cost will do, even one that has to rise later, as this node then does too. It is none
 /// of those that hang on the node: they are dearer, or wait.
-template <class Cost>
-void DStarLite<Cost>::rise(Node node) {
+void DStarLite::rise(Node node) {
   const Offer best = best_offer(node);
   if (best.value == value(node)) {
-    tag(node) = static_cast<std::uint8_t>((tag(node) & kOpen) | best.link);
+    word(node).set_tag(static_cast<std::uint8_t>((tag(node) & kOpen) | best.link));
     return;
   }
   if (best.value > value(node)) {
     ++effort_.dropped;
-    set_value(node, kInfinite);
-    tag(node) = 0;
+    word(node).set_value(kInfinite);
+    word(node).set_tag(0);
     graph_->possible_children(node, [&](Node child, Link link) {
       if (value(child) != kInfinite && (tag(child) & (kLinkMask | kRoot)) == link) wait_to_rise(child);
     });
@@ -194,8 +197,7 @@ void DStarLite<Cost>::rise(Node node) {
   if (best.value != kInfinite) lower(node, best.value, best.link);
 }
 
-template <class Cost>
-std::vector<std::uint32_t> DStarLite<Cost>::with_neighbours(const std::vector<std::uint32_t>& cells) const {
+std::vector<std::uint32_t> DStarLite::with_neighbours(const std::vector<std::uint32_t>& cells) const {
   std::vector<std::uint32_t> all = cells;
   const std::int32_t width = graph_->terrain().frame().width;
   for (const std::uint32_t cell : cells) {
@@ -208,8 +210,7 @@ std::vector<std::uint32_t> DStarLite<Cost>::with_neighbours(const std::vector<st
   return all;
 }
 
-template <class Cost>
-void DStarLite<Cost>::change(const std::vector<std::uint32_t>& cells) {
+void DStarLite::change(const std::vector<std::uint32_t>& cells) {
   const std::vector<std::uint32_t> around = with_neighbours(cells);
   for (const std::uint32_t cell : around) {
     graph_->possible_nodes_of(cell, [&](Node node) {
@@ -224,14 +225,10 @@ void DStarLite<Cost>::change(const std::vector<std::uint32_t>& cells) {
   }
 }
 
-template <class Cost>
-std::vector<Node> DStarLite<Cost>::way_up(Node node) {
+std::vector<Node> DStarLite::way_up(Node node) {
   std::vector<Node> way = {node};
   while ((tag(way.back()) & kRoot) == 0) way.push_back(graph_->parent(way.back(), tag(way.back()) & kLinkMask));
   return way;
 }
-
-template class DStarLite<std::uint32_t>;
-template class DStarLite<std::uint64_t>;
 
 }  // namespace scanway::planning

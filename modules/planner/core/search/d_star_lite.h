@@ -2,10 +2,10 @@
 
 #include <cstdint>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
-#include "modules/planner/core/body/lazy_array.h"
 #include "modules/planner/core/search/bucket_queue.h"
 #include "modules/planner/core/search/graph.h"
 
@@ -18,8 +18,10 @@ struct Effort {
   bool anew = false;             ///< It started over.
 };
 
-/// Thrown when costs outgrow their 32 bits.
-struct CostOverflow {};
+/// Thrown when costs outgrow their 40 bits.
+struct CostOverflow : std::overflow_error {
+  CostOverflow() : std::overflow_error("a way costs more than 40 bits hold") {}
+};
 
 /// D* Lite (Koenig and Likhachev, AAAI 2002; the optimised version with k_m and one tie-break): the least cost from the
 /// tree's root to the target, kept up while the target moves and the map changes.
@@ -29,7 +31,6 @@ struct CostOverflow {};
 /// over to another parent of the same cost, and all below it stays as it is; or it loses its value, is offered the best
 /// that is around, and its children wait in turn. What lies behind the robot has keys that never come up. So g needs no
 /// memory of its own, and the costs found are the same.
-template <class Cost>
 class DStarLite {
  public:
   explicit DStarLite(Graph& graph);
@@ -53,23 +54,19 @@ class DStarLite {
   Effort take_effort() { return std::exchange(effort_, {}); }
 
  private:
-  static constexpr std::uint64_t kInfinite = static_cast<Cost>(~Cost{0});
+  static constexpr std::uint64_t kInfinite = CellWord::kInfinite;
   static constexpr std::uint8_t kOpen = 0x40;
   static constexpr std::uint8_t kRoot = 0x80;
-  /// Values are stored as their complement, so that memory that was never touched holds infinity.
-  struct Tight {
-    Cost stored = 0;
-    std::uint8_t tag = 0;
-  };
 
-  Cost& stored(Node node) { return node < cells_ ? stored_[node] : tight(node).stored; }
-  std::uint8_t& tag(Node node) { return node < cells_ ? tags_[node] : tight(node).tag; }
-  Tight& tight(Node node);
-  std::uint64_t value(Node node) { return static_cast<Cost>(~stored(node)); }
-  void set_value(Node node, std::uint64_t value) { stored(node) = static_cast<Cost>(~static_cast<Cost>(value)); }
+  CellWord& word(Node node) { return node < cells_ ? graph_->terrain().word(node) : tight(node); }
+  CellWord& tight(Node node);
+  std::uint64_t value(Node node) { return word(node).value(); }
+  std::uint8_t tag(Node node) { return word(node).tag(); }
+  std::uint64_t ahead(std::int32_t x, std::int32_t y) const { return graph_->least_cost(x - target_.x, y - target_.y); }
   std::uint64_t key(Node node, std::uint64_t value) const;
   void lower(Node node, std::uint64_t value, Link link);
   void expand(Node node);
+  bool expand_roomy(Node node);
   struct Offer {
     std::uint64_t value = kInfinite;
     Link link = 0;
@@ -85,9 +82,7 @@ class DStarLite {
 
   Graph* graph_;
   Node cells_;
-  LazyArray<Cost> stored_;
-  LazyArray<std::uint8_t> tags_;
-  std::vector<Tight> tight_;
+  std::vector<CellWord> tight_;
   BucketQueue queue_;
   BucketQueue rising_;
   std::vector<Node> roots_;
@@ -95,11 +90,7 @@ class DStarLite {
   std::uint64_t k_m_ = 0;
   std::uint64_t may_drop_ = 0;          ///< In this search, before a new one costs less.
   std::uint64_t first_expansions_ = 0;  ///< What the last search from nothing took.
-  bool is_first_ = true;
   Effort effort_;
 };
-
-extern template class DStarLite<std::uint32_t>;
-extern template class DStarLite<std::uint64_t>;
 
 }  // namespace scanway::planning

@@ -10,6 +10,7 @@ Graph::Graph(Terrain& terrain, Root root, const Units& units)
       cells_(static_cast<Node>(terrain.frame().cells())),
       corners_block_(terrain.options().mode != BodyMode::footprint),
       units_({units.straight, units.diagonal}),
+      row_reciprocal_(~std::uint64_t{0} / static_cast<std::uint64_t>(terrain.frame().width) + 1),
       least_straight_(straight()),
       least_diagonal_rise_(2 * (units.diagonal - units.straight) * terrain.weight_one()) {
   for (int step = 0; step < kSteps; ++step) {

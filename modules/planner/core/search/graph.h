@@ -28,10 +28,10 @@ class Graph {
     std::uint64_t straight;
     std::uint64_t diagonal;
   };
-  /// sqrt(2) to 4e-7: 0.01 of a cell in 27,000 diagonal steps.
-  static constexpr Units kNarrow = {985, 1393};
-  /// sqrt(2) to 2e-12.
-  static constexpr Units kWide = {470832, 665857};
+  /// sqrt(2) to 1.1e-8: 0.01 of a cell in 900,000 diagonal steps.
+  static constexpr Units kFine = {5741, 8119};
+  /// sqrt(2) to 3.7e-5: for ways too long for the above.
+  static constexpr Units kCoarse = {99, 140};
 
   Graph(Terrain& terrain, Root root, const Units& units);
 
@@ -50,12 +50,40 @@ class Graph {
   std::uint32_t index_of(Node node) const {
     return is_tight(node) ? terrain_->cell_of_slot((node - cells_) / kHeadings) : node;
   }
+  /// The same as the frame's cell(), without its division.
+  Cell cell_of(Node node) const {
+    const std::uint32_t index = index_of(node);
+    const auto y = static_cast<std::uint32_t>(static_cast<unsigned __int128>(index) * row_reciprocal_ >> 64);
+    const Frame& frame = terrain_->frame();
+    return {frame.low.x + static_cast<std::int32_t>(index - y * static_cast<std::uint32_t>(frame.width)),
+            frame.low.y + static_cast<std::int32_t>(y)};
+  }
   int heading_of(Node node) const { return static_cast<int>((node - cells_) % kHeadings); }
   Node tight_node(std::uint32_t slot, int heading) const {
     return cells_ + slot * kHeadings + static_cast<std::uint32_t>(heading & (kHeadings - 1));
   }
   /// The node that `node` hangs on by `link`.
   Node parent(Node node, Link link) const;
+
+  /// The eight cells around a roomy one, by step.
+  struct Surroundings {
+    std::array<Node, kSteps> node;
+    std::array<std::uint64_t, kSteps> cost;  ///< Of the step; whatever where there is none.
+    unsigned open;                           ///< Bit k: step k leads somewhere.
+  };
+  /// Returns false when the cell or one of the eight is anything but roomy or blocked.
+  bool surroundings(Node cell, Surroundings& around);
+  static Link link_to_roomy_parent(std::size_t step_from_parent) {
+    return link(opposite(static_cast<int>(step_from_parent)), kRoomyParent);
+  }
+  /// Never less than any one step between roomy cells costs.
+  std::uint64_t dearest_step() const { return units_[1] * 2 * Terrain::kWeightMask; }
+  void prefetch(Node node) const {
+    if (is_tight(node)) return;
+    __builtin_prefetch(&terrain_->word(neighbour(node, 2)));
+    __builtin_prefetch(&terrain_->word(node));
+    __builtin_prefetch(&terrain_->word(neighbour(node, 6)));
+  }
 
   /// Calls visit(neighbour, cost, link of the neighbour if it hangs on `node`) for every edge; the cost is that of
   /// travelling towards the root through `node` (away from it when the root is the start).
@@ -98,6 +126,12 @@ class Graph {
     return units_[step & 1] * (Terrain::weight_of(a) + Terrain::weight_of(b));
   }
   static std::uint64_t if_backwards(int match, std::uint64_t cost) { return match >= 3 ? 2 * cost : cost; }
+  static constexpr unsigned kStraightSteps = 0x55;
+  /// The diagonal steps whose two straight neighbours are both among `steps` (bit k: step k).
+  static unsigned beside_on_both_sides(unsigned steps) {
+    const unsigned straight = steps & kStraightSteps;
+    return straight << 1 & (straight >> 1 | straight << 7);
+  }
   Node neighbour(std::uint32_t index, int step) const {
     return index + static_cast<std::uint32_t>(offset_[static_cast<std::size_t>(step)]);
   }
@@ -128,27 +162,44 @@ class Graph {
   Node cells_;
   bool corners_block_;
   std::array<std::uint64_t, 2> units_;
+  std::uint64_t row_reciprocal_;  ///< 2^64 / width, rounded up: exact for 32-bit indices.
   std::uint64_t least_straight_;
   std::uint64_t least_diagonal_rise_;
   std::array<std::int32_t, kSteps> offset_;
 };
+
+inline bool Graph::surroundings(Node cell, Surroundings& around) {
+  const std::uint16_t here = terrain_->field(cell);
+  unsigned open = 0;
+  unsigned simple = unsigned{Terrain::class_of(here) == Terrain::Class::roomy};
+  for (unsigned step = 0; step < kSteps; ++step) {
+    around.node[step] = neighbour(cell, static_cast<int>(step));
+    const std::uint16_t there = terrain_->field(around.node[step]);
+    const Terrain::Class what = Terrain::class_of(there);
+    open |= unsigned{what == Terrain::Class::roomy} << step;
+    simple &= unsigned{what != Terrain::Class::tight};
+    around.cost[step] = move_cost(static_cast<int>(step), here, there);
+  }
+  if (corners_block_) open &= kStraightSteps | beside_on_both_sides(open);
+  around.open = open;
+  return simple != 0;
+}
 
 template <bool kBelow, class Visit>
 void Graph::edges_of_roomy(Node node, Visit&& visit) {
   const std::uint16_t here = terrain_->field(node);
   if (Terrain::class_of(here) != Terrain::Class::roomy) return;
   std::array<std::uint16_t, kSteps> fields;
-  for (int step = 0; step < kSteps; ++step)
-    fields[static_cast<std::size_t>(step)] = terrain_->field(neighbour(node, step));
-  for (int step = 0; step < kSteps; ++step) {
+  unsigned open = 0;
+  for (unsigned step = 0; step < kSteps; ++step) {
+    fields[step] = terrain_->field(neighbour(node, static_cast<int>(step)));
+    open |= unsigned{Terrain::class_of(fields[step]) != Terrain::Class::blocked} << step;
+  }
+  if (corners_block_) open &= kStraightSteps | beside_on_both_sides(open);
+  for (; open != 0; open &= open - 1) {
+    const int step = __builtin_ctz(open);
     const std::uint16_t there = fields[static_cast<std::size_t>(step)];
     const Terrain::Class what = Terrain::class_of(there);
-    if (what == Terrain::Class::blocked) continue;
-    if ((step & 1) != 0 && corners_block_ &&
-        (Terrain::class_of(fields[static_cast<std::size_t>(step - 1)]) == Terrain::Class::blocked ||
-         Terrain::class_of(fields[static_cast<std::size_t>((step + 1) & 7)]) == Terrain::Class::blocked)) {
-      continue;
-    }
     const Node next = neighbour(node, step);
     const std::uint64_t cost = move_cost(step, here, there);
     if (what == Terrain::Class::roomy) {

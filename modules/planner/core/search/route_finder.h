@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <variant>
 #include <vector>
 
 #include "modules/planner/core/body/terrain.h"
@@ -35,25 +34,24 @@ class RouteFinder {
   Effort take_effort();
 
  private:
-  /// A search tree with 32-bit costs, or with 64-bit ones once these have overflowed.
+  /// A search tree with fine costs, or with coarse ones once these have overflowed.
   struct Tree {
-    Tree(Terrain& terrain, Root root, bool wide);
+    Tree(Terrain& terrain, Root root, const Graph::Units& units) : graph(terrain, root, units), search(graph) {}
     Graph graph;
-    std::variant<std::monostate, DStarLite<std::uint32_t>, DStarLite<std::uint64_t>> search;
+    DStarLite search;
     bool is_new = true;
   };
 
   Root choose_root(Cell start, Cell goal) const;
   std::optional<Route> find_with_tree(Cell start, Cell goal, Root root);
-  template <class Search>
-  std::optional<Route> run(Search& search, Cell from, Cell target);
+  Route route_from(Node target);
   std::vector<Node> nodes_at(Cell cell);
 
   Terrain* terrain_;
   std::unique_ptr<Tree> tree_;
   Cell start_;
   Cell goal_;
-  bool wide_ = false;
+  Graph::Units units_ = Graph::kFine;
 };
 
 }  // namespace scanway::planning

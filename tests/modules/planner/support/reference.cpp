@@ -12,8 +12,8 @@ namespace scanway::test {
 namespace {
 
 constexpr std::array<Cell, 8> kAround = {Cell{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}};
-constexpr double kStraight = 985.0;
-constexpr double kDiagonal = 1393.0;
+constexpr double kStraight = 5741.0;
+constexpr double kDiagonal = 8119.0;
 
 bool blocks(const TestMap& map, const Robot& robot, Cell cell) {
   const CellState state = map.bounds.contains(cell) ? map.map.state(cell) : CellState::unknown;
