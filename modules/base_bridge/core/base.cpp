@@ -105,6 +105,7 @@ void Base::open(Utime now) {
   if (config_.sonar) opening_.push_back(make_command(Command::set_sonar, 1));
   if (config_.analog) opening_.push_back(make_command(Command::set_analog, 1));
   drive_.reset();
+  odometry_.was_away();
   const std::string what = configuration_
                                ? configuration_->name + ", " + configuration_->type + " " + configuration_->subtype
                                : std::string("it does not say what it is, taken for Rev E");

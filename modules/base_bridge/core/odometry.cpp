@@ -43,7 +43,7 @@ bool begins_anew(const MotorReport& report) {
 
 Odometry::Step Odometry::add(const MotorReport& report, Utime now) {
   Step step = Step::added;
-  if (!last_ || now - last_->utime > kMostGap) {
+  if (!last_ || now - last_->utime > kMostGap || (was_away_ && begins_anew(report))) {
     step = anchor(report);
   } else {
     const int x = difference(last_->x_counts, report.x_counts), y = difference(last_->y_counts, report.y_counts);
@@ -55,6 +55,7 @@ Odometry::Step Odometry::add(const MotorReport& report, Utime now) {
       y_sum_ += y;
     }
   }
+  was_away_ = false;
   last_ = Last{report.x_counts, report.y_counts, now};
   update(report, now);
   return step;

@@ -34,6 +34,10 @@ class Odometry {
   };
   Step add(const MotorReport& report, Utime now);
 
+  /// The robot was away for a moment, and may have been switched off: when it says that it stands where it began, it
+  /// has begun to count anew, however short the gap was.
+  void was_away() { was_away_ = true; }
+
   /// Takes effect for what is driven from now on.
   void set_metres_per_count(double metres);
 
@@ -50,7 +54,7 @@ class Odometry {
 
   double metres_per_count_;
   std::optional<Last> last_;
-  bool begun_ = false;
+  bool begun_ = false, was_away_ = false;
   std::int64_t x_sum_ = 0, y_sum_ = 0;      // Counts since the anchor.
   double anchor_x_m_ = 0, anchor_y_m_ = 0;  // Where the robot was then.
   double turn_ = 0;                         // From the robot's frame to ours, radians.

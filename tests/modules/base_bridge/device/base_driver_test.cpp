@@ -2,82 +2,18 @@
 
 #include "modules/base_bridge/device/base_driver.h"
 
-#include <fcntl.h>
-#include <poll.h>
-#include <stdlib.h>
-#include <termios.h>
+#include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <atomic>
-#include <filesystem>
-#include <mutex>
-#include <thread>
-
 #include "common/files/input_error.h"
-#include "tests/modules/base_bridge/test_robot.h"
+#include "tests/modules/base_bridge/plugged_robot.h"
 #include "tests/support/command.h"
 
 namespace scanway {
 namespace {
 
 using erratic::BaseDriver;
-
-/// A robot at the far end of a pseudo-terminal, under a name of its own that can be unplugged.
-class PluggedRobot {
- public:
-  explicit PluggedRobot(std::string name) : name_(std::move(name)) {
-    master_ = posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK);
-    grantpt(master_);
-    unlockpt(master_);
-    std::filesystem::create_symlink(ptsname(master_), name_);
-    // Hold the near end open, so that the far end does not hang up while the bridge opens and closes it.
-    slave_ = open(ptsname(master_), O_RDWR | O_NOCTTY);
-    thread_ = std::thread([this] { live(); });
-  }
-  ~PluggedRobot() {
-    end_ = true;
-    thread_.join();
-    close(slave_);
-    close(master_);
-    std::filesystem::remove(name_);
-  }
-  template <class Touch>
-  auto with(const Touch& touch) {
-    const std::lock_guard lock(mutex_);
-    return touch(robot_);
-  }
-
- private:
-  int line_baud() const {
-    termios settings{};
-    tcgetattr(slave_, &settings);
-    return cfgetospeed(&settings) == B38400 ? 38400 : 115200;
-  }
-  void live() {
-    while (!end_) {
-      pollfd waiting{master_, POLLIN, 0};
-      poll(&waiting, 1, 1);
-      std::uint8_t buffer[256];
-      const ssize_t count = read(master_, buffer, sizeof buffer);
-      const std::lock_guard lock(mutex_);
-      if (count > 0) send(robot_.receive({buffer, buffer + count}, line_baud()));
-      send(robot_.run(BaseDriver::now()));
-    }
-  }
-  void send(const std::vector<std::uint8_t>& bytes) {
-    if (!bytes.empty() && write(master_, bytes.data(), bytes.size()) < 0) return;
-  }
-
-  std::string name_;
-  int master_ = -1, slave_ = -1;
-  std::mutex mutex_;
-  test::TestRobot robot_;
-  std::atomic<bool> end_{false};
-  std::thread thread_;
-};
+using test::PluggedRobot;
 
 struct Bench {
   template <class Done>

@@ -12,6 +12,7 @@
 #include "modules/schunk_bridge/device/pan_tilt_driver.h"
 #include "tests/modules/schunk_bridge/device/vcan_bench.h"
 #include "tests/support/command.h"
+#include "tests/support/program.h"
 
 namespace scanway {
 namespace {

@@ -7,14 +7,11 @@
 #include <poll.h>
 #include <sys/ioctl.h>
 #include <sys/socket.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
-#include <csignal>
-#include <cstdio>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -110,28 +107,6 @@ class Responder {
   TestModule pan_{11, TestModule::kDegrees, true}, tilt_{12, TestModule::kDegrees, true};
   std::atomic<bool> end_{false};
   std::thread thread_;
-};
-
-/// Another program for a while.
-class Program {
- public:
-  Program(const std::vector<std::string>& words, const std::string& out) {
-    child_ = fork();
-    if (child_ != 0) return;
-    std::vector<char*> pointers;
-    for (const std::string& word : words) pointers.push_back(const_cast<char*>(word.c_str()));
-    pointers.push_back(nullptr);
-    if (freopen(out.c_str(), "w", stdout) == nullptr) _exit(126);
-    execvp(pointers[0], pointers.data());
-    _exit(127);
-  }
-  void end() {
-    kill(child_, SIGTERM);
-    waitpid(child_, nullptr, 0);
-  }
-
- private:
-  pid_t child_;
 };
 
 }  // namespace scanway::test
