@@ -46,7 +46,7 @@ void Dialogue::receive(std::span<const std::uint8_t> bytes, Utime now) {
 void Dialogue::tick(Utime now) {
   switch (state_) {
     case State::finding_dialect:
-      if (finder_.bad_bytes() > 0 && now - began_ > 2 * kDialectPatience) {
+      if (finder_.bad_bytes() > 0 && now - began_ > kDialectPatience * 3 / 2) {
         fail("what it sends is neither CoLa-A nor CoLa-B: is this the port of an LMS5xx (2111 or 2112)?");
       } else if (now - began_ > kSlowPatience) {
         fail(
@@ -122,7 +122,7 @@ void Dialogue::finish_step(const std::string& trouble, Utime now) {
   if (!trouble.empty()) {
     const std::string sentence = "the device does not " + step.purpose + ": " + trouble;
     if (step.required) return fail(sentence);
-    notes_.push_back(sentence);
+    if (!step.is_question) notes_.push_back(sentence);
   }
   ++step_;
   send_step(now);

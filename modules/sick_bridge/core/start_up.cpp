@@ -16,6 +16,7 @@ Step read_step(Dialect dialect, const char* name, const Accept& accept) {
   return {.purpose = "tell " + std::string(name),
           .request = read_variable(dialect, name),
           .patience = kReadPatience,
+          .is_question = true,
           .accept = accept,
           .needed = {}};
 }

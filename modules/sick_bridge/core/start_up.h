@@ -40,7 +40,8 @@ struct Step {
   Request request;
   Utime patience;         ///< How long to wait for the answer.
   bool required = false;  ///< Without it there are no scans. Of all else the refusal is said, and the dialogue goes on.
-  bool slows_down = false;  ///< From then on the device may not answer for half a minute.
+  bool is_question = false;  ///< Whose refusal is counted and not said: it decides nothing.
+  bool slows_down = false;   ///< From then on the device may not answer for half a minute.
   /// What is wrong with the answer, or empty; notes what the device says of itself.
   std::function<std::string(const Telegram&, DeviceInfo&)> accept;
   /// Whether to do it at all; empty: always.

@@ -11,10 +11,10 @@
 namespace scanway::test {
 
 /// Answers as the LMS511 of the recorded dialogue did: each recorded request with its recorded bytes, requests that
-/// were not recorded with the recorded sFA 3, and after the subscription the recorded scans.
+/// were not recorded with the recorded sFA 3, and after the subscription the recorded scans, or what it is given.
 class ScriptedLms {
  public:
-  ScriptedLms() {
+  explicit ScriptedLms(const std::string& scans = {}) {
     std::istringstream lines(read_text(kLmsData + "lms511_colab_session_20210302.jsonl"));
     std::string line, request;
     while (std::getline(lines, line)) {
@@ -29,6 +29,7 @@ class ScriptedLms {
         answers_[request] = frame;
       }
     }
+    if (!scans.empty()) scans_ = {scans};
   }
 
   /// What the device sends when it gets these bytes.
