@@ -147,6 +147,17 @@ std::optional<Identity> LiveBus::elder_twin() const {
   return elder_;
 }
 
+bool LiveBus::lacks(std::string_view channel) const {
+  const std::lock_guard lock(mutex_);
+  return lacking_.contains(channel);
+}
+
+void LiveBus::note_lacking() {
+  auto lacking = receiver_.lacking();
+  const std::lock_guard lock(mutex_);
+  lacking_ = std::move(lacking);
+}
+
 void LiveBus::drain(std::chrono::milliseconds wait) const {
   for (const SteadyTime end = steady_now() + wait.count() * 1000; sender_.waiting() > 0 && steady_now() < end;) {
     std::this_thread::sleep_for(kIdleWait);
@@ -159,6 +170,7 @@ void LiveBus::turn(std::chrono::milliseconds wait) {
   sender_.pump(now);
   if (now >= next_ask_) {
     receiver_.ask(now);
+    note_lacking();
     next_ask_ = now + kAskEvery;
   }
   if (now >= next_second_) {

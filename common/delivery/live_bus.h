@@ -61,6 +61,8 @@ class LiveBus : public Bus {
   void report(std::map<std::string, std::int64_t> counters, std::string summary);
   /// An elder process of the same name that was heard, if any.
   std::optional<Identity> elder_twin() const;
+  /// Whether objects of a channel are not whole yet, and still asked for.
+  bool lacks(std::string_view channel) const;
   /// Waits until what was published has gone, up to `wait`.
   void drain(std::chrono::milliseconds wait) const;
 
@@ -77,6 +79,7 @@ class LiveBus : public Bus {
   void forward(const BusMessage& message);
   bool is_good(const BusMessage& message, Input& input);
   void listen();
+  void note_lacking();
   Health health();
   void count_inputs(Health& health) const;
 
@@ -99,6 +102,7 @@ class LiveBus : public Bus {
   std::map<std::string, std::int64_t> node_counters_;
   std::string node_summary_;
   std::optional<Identity> elder_;
+  std::set<std::string, std::less<>> lacking_;  // Channels.
   std::thread thread_;
 };
 

@@ -79,6 +79,7 @@ void ObjectReceiver::ask(SteadyTime now) {
     auto& [name, wanted] = *entry;
     if (now - wanted.heard > limits_.give_up_after) {
       ++counters_.given_up;
+      assemblers_.at(name.first).give_up(name.second, wanted.version, static_cast<std::uint64_t>(wanted.digest));
       entry = wanted_.erase(entry);
       continue;
     }
@@ -115,6 +116,12 @@ void ObjectReceiver::request(const Name& name, Wanted& wanted, const IncompleteO
   wanted.interval = std::min(2 * wanted.interval, limits_.longest_interval);
   ++counters_.requests;
   send_(request);
+}
+
+std::set<std::string, std::less<>> ObjectReceiver::lacking() const {
+  std::set<std::string, std::less<>> channels;
+  for (const auto& [name, wanted] : wanted_) channels.insert(name.first);
+  return channels;
 }
 
 AssemblerCounters ObjectReceiver::pieces() const {

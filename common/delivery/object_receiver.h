@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -47,6 +48,7 @@ class ObjectReceiver {
 
   bool up_to_date() const { return wanted_.empty(); }  ///< Nothing that was heard of is missing.
   std::size_t wanted() const { return wanted_.size(); }
+  std::set<std::string, std::less<>> lacking() const;  ///< The channels of what is wanted.
   const ReceiverCounters& counters() const { return counters_; }
   AssemblerCounters pieces() const;  ///< Of all channels.
 

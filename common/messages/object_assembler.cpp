@@ -122,17 +122,35 @@ void ObjectAssembler::drop(Waiting::iterator waiting) {
   waiting_.erase(waiting);
 }
 
+ObjectAssembler::Waiting::iterator ObjectAssembler::first_of(const std::string& key) {
+  const std::int64_t first = std::numeric_limits<std::int64_t>::min();
+  return waiting_.lower_bound(Header(key, first, first, first, std::numeric_limits<std::int32_t>::min(),
+                                     std::numeric_limits<std::int8_t>::min(),
+                                     std::numeric_limits<std::int32_t>::min()));
+}
+
 // Whatever waits of this key with this version or an older one.
 void ObjectAssembler::drop_superseded(const std::string& key, std::int64_t version) {
-  const std::int64_t first = std::numeric_limits<std::int64_t>::min();
-  auto waiting =
-      waiting_.lower_bound(Header(key, first, first, first, std::numeric_limits<std::int32_t>::min(),
-                                  std::numeric_limits<std::int8_t>::min(), std::numeric_limits<std::int32_t>::min()));
-  while (waiting != waiting_.end() && std::get<kKey>(waiting->first) == key &&
-         std::get<kVersion>(waiting->first) <= version) {
+  for (auto waiting = first_of(key); waiting != waiting_.end() && std::get<kKey>(waiting->first) == key &&
+                                     std::get<kVersion>(waiting->first) <= version;) {
     ++counters_.superseded_objects;
     drop(waiting++);
   }
+}
+
+void ObjectAssembler::give_up(const std::string& key, std::int64_t version, std::uint64_t digest) {
+  for (auto waiting = first_of(key); waiting != waiting_.end() && std::get<kKey>(waiting->first) == key;) {
+    const auto one = waiting++;
+    if (std::get<kVersion>(one->first) != version) continue;
+    if (std::get<kDigest>(one->first) != static_cast<std::int64_t>(digest)) continue;
+    ++counters_.given_up;
+    drop(one);
+  }
+}
+
+void ObjectAssembler::give_up_all() {
+  counters_.given_up += waiting_.size();
+  while (!waiting_.empty()) drop(waiting_.begin());
 }
 
 std::vector<IncompleteObject> ObjectAssembler::incomplete() const {

@@ -30,6 +30,7 @@ struct AssemblerCounters {
   std::uint64_t conflicting_pieces = 0;  ///< Of another object than the complete one of that key and version.
   std::uint64_t superseded_pieces = 0;   ///< Of an older version than is there.
   std::uint64_t superseded_objects = 0;  ///< Incomplete when a newer version was complete.
+  std::uint64_t given_up = 0;            ///< Incomplete objects that were given up by whoever knew better.
   std::uint64_t crowded_out = 0;         ///< Incomplete objects given up because of max_waiting_bytes.
 };
 
@@ -58,6 +59,9 @@ class ObjectAssembler {
   std::vector<IncompleteObject> incomplete() const;
   /// Whether this version of the key, or a newer one, came out (and is still remembered).
   bool has(const std::string& key, std::int64_t version) const;
+  /// Nothing more will come of what waits: of one object, or of all. Their pieces are dropped.
+  void give_up(const std::string& key, std::int64_t version, std::uint64_t digest);
+  void give_up_all();
   const AssemblerCounters& counters() const { return counters_; }
 
  private:
@@ -82,6 +86,7 @@ class ObjectAssembler {
   std::optional<Object> complete(Waiting::iterator waiting);
   void remember(const Object& object);
   void drop(Waiting::iterator waiting);
+  Waiting::iterator first_of(const std::string& key);
   void drop_superseded(const std::string& key, std::int64_t version);
 
   AssemblerLimits limits_;

@@ -1,9 +1,13 @@
 /// What the live tests need beside the programs themselves:
 ///   scanway-live-tool digests LOG                     the products that a log holds
 ///   scanway-live-tool observe URL VERSION SECONDS     the products on a bus, once that version is complete (else 1);
-///                                                     then the last counters of every process, as lines of HEALTH
+///                                                     then the last counters of every process, as lines of HEALTH,
+///                                                     and all is quiet
 ///   scanway-live-tool hostile URL                     lies on every channel
 ///   scanway-live-tool other-version URL               a GOAL of another version of its type
+///   scanway-live-tool relay GROUP GROUP LOST TWICE HELD_MS SEED
+///                                                     two multicast groups as two machines with a bad network between
+///                                                     (relay.h)
 
 #include <cstdio>
 #include <functional>
@@ -18,6 +22,7 @@
 #include "common/messages/codec.h"
 #include "tests/live/tool/hostile.h"
 #include "tests/live/tool/products.h"
+#include "tests/live/tool/relay.h"
 
 namespace scanway::test {
 namespace {
@@ -32,26 +37,52 @@ int digests(const std::string& path) {
   return 0;
 }
 
-void print(const std::map<std::string, health_t>& healths) {
-  for (const auto& [process, health] : healths) {
+/// What each process has said of itself last.
+class Healths {
+ public:
+  void take(const health_t& health) {
+    Process& process = processes_[health.process_name];
+    process.summary = health.summary;
     for (const counter_t& counter : health.counters) {
-      std::printf("HEALTH %s %s %lld\n", process.c_str(), counter.counter_name.c_str(),
-                  static_cast<long long>(counter.count));
+      std::int64_t& known = process.counters[counter.counter_name];
+      if (known != counter.count && moves(counter.counter_name)) changed_ = steady_now();
+      known = counter.count;
     }
-    std::printf("SUMMARY %s %s\n", process.c_str(), health.summary.c_str());
   }
-}
+  /// Whether no object has moved for a while, and none is about to.
+  bool quiet() const { return steady_now() - changed_ > kQuiet; }
+  void print() const {
+    for (const auto& [name, process] : processes_) {
+      for (const auto& [counter, count] : process.counters) {
+        std::printf("HEALTH %s %s %lld\n", name.c_str(), counter.c_str(), static_cast<long long>(count));
+      }
+      std::printf("SUMMARY %s %s\n", name.c_str(), process.summary.c_str());
+    }
+  }
+
+ private:
+  static constexpr SteadyTime kQuiet = 4'000'000;
+  struct Process {
+    std::map<std::string, std::int64_t> counters;
+    std::string summary;
+  };
+
+  static bool moves(const std::string& counter) {
+    return counter.starts_with("pieces_") || counter.starts_with("requests_") || counter == "lacking";
+  }
+
+  std::map<std::string, Process> processes_;
+  SteadyTime changed_ = steady_now();
+};
 
 int observe(const std::string& url, std::int64_t version, double seconds) {
   LcmBus lcm(url);
   LiveBus bus(lcm, this_process("observer"));
   Products products;
-  std::map<std::string, health_t> healths;
+  Healths healths;
   products.listen(bus);
-  bus.subscribe(channel::kHealth.name, [&](const BusMessage& message) {
-    const auto health = decode<health_t>(message.bytes);
-    healths[health.process_name] = health;
-  });
+  bus.subscribe(channel::kHealth.name,
+                [&](const BusMessage& message) { healths.take(decode<health_t>(message.bytes)); });
   bus.start();
   const SteadyTime end = steady_now() + static_cast<SteadyTime>(seconds * 1e6);
   const auto wait = [&](const std::function<bool()>& ready) {
@@ -64,11 +95,9 @@ int observe(const std::string& url, std::int64_t version, double seconds) {
   const SteadyTime equal = steady_now();
   const bool complete = wait([&] { return products.complete(version); });
   std::printf("SECONDS from the first tile of the version to the whole cost map: %.2f\n", to_seconds(equal - begun));
-  // What is still on its way, and everybody's last word.
-  const SteadyTime quiet = steady_now() + 3'000'000;
-  wait([&] { return steady_now() > quiet; });
+  wait([&] { return healths.quiet(); });
   std::fputs(products.text().c_str(), stdout);
-  print(healths);
+  healths.print();
   return complete ? 0 : 1;
 }
 
@@ -96,6 +125,10 @@ int main(int argc, char** argv) {
       return scanway::test::observe(words[1], std::stoll(words[2]), std::stod(words[3]));
     }
     if (words.size() == 2 && words[0] == "hostile") return scanway::test::hostile(words[1]);
+    if (words.size() == 7 && words[0] == "relay") {
+      return scanway::test::relay(
+          words[1], words[2], {std::stoull(words[6]), std::stod(words[3]), std::stod(words[4]), std::stod(words[5])});
+    }
     if (words.size() == 2 && words[0] == "other-version") return scanway::test::other_version(words[1]);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "scanway-live-tool: %s\n", error.what());

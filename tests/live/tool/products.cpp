@@ -34,7 +34,7 @@ void Products::take(const BusMessage& message) {
                                   [&](const Channel& product) { return product.name == channel; });
   if (!wanted) return;
   const auto piece = decode<piece_t>(message.bytes);
-  if (channel == channel::kCostMapTile.name && piece.key != "hostile") {
+  if (channel == channel::kCostMapTile.name && !piece.key.starts_with("hostile")) {
     newest_tile_ = std::max(newest_tile_, piece.version);
   }
   const std::optional<Object> object = assemblers_[channel].add(piece);
