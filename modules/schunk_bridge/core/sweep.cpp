@@ -53,7 +53,7 @@ std::string Sweep::start(Utime now) {
   if (!(config_.speed > 0 && config_.speed <= pan_.max_speed())) {
     return "the sweep's speed is none that the pan axis can go at";
   }
-  if (!(config_.tilt >= tilt_.low() || config_.tilt <= tilt_.high()))
+  if (!(config_.tilt >= tilt_.low() && config_.tilt <= tilt_.high()))
     return "the sweep's tilt is beyond the tilt's limits";
   active_config_ = config_;
   ++number_;
