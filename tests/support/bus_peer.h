@@ -20,7 +20,8 @@ class BusPeer {
   BusPeer() : bus_("udpm://239.255.76.67:7667?ttl=0") {
     bus_.subscribe(channel::kHealth.name, [this](const BusMessage& message) {
       const auto health = decode<health_t>(message.bytes);
-      health_[health.process_name] = health;
+      summaries_[health.process_name] = health.summary;
+      for (const counter_t& one : health.counters) counters_[health.process_name][one.counter_name] = one.count;
     });
   }
 
@@ -43,22 +44,24 @@ class BusPeer {
     return false;
   }
 
+  /// What the process last said of itself on HEALTH.
   std::string summary(const std::string& process) const {
-    const auto health = health_.find(process);
-    return health == health_.end() ? "(no HEALTH of " + process + ")" : health->second.summary;
+    const auto summary = summaries_.find(process);
+    return summary == summaries_.end() ? "(no HEALTH of " + process + ")" : summary->second;
   }
+  /// -1: it did not say.
   std::int64_t counter(const std::string& process, const std::string& name) const {
-    const auto health = health_.find(process);
-    if (health == health_.end()) return -1;
-    for (const counter_t& counter : health->second.counters) {
-      if (counter.counter_name == name) return counter.count;
-    }
-    return -1;
+    const auto counters = counters_.find(process);
+    if (counters == counters_.end()) return -1;
+    const auto counter = counters->second.find(name);
+    return counter == counters->second.end() ? -1 : counter->second;
   }
 
  private:
   LcmBus bus_;
-  std::map<std::string, health_t> health_;
+  // By process; HEALTH comes in several messages, each with its share of the counters.
+  std::map<std::string, std::string> summaries_;
+  std::map<std::string, std::map<std::string, std::int64_t>> counters_;
 };
 
 }  // namespace scanway::test

@@ -10,6 +10,7 @@ namespace scanway::sick {
 namespace {
 
 constexpr int kMaxEchoes = 5;
+constexpr double kAheadDeg = 90.0;  // As the device counts angles.
 constexpr float kMetresPerMillimetre = 0.001F;
 
 /// The remission of the same beams, or nullptr.
@@ -88,7 +89,7 @@ bot_core::planar_lidar_t lidar_message(const Scan& scan, Utime utime) {
   }
   message.nranges = static_cast<std::int32_t>(message.ranges.size());
   message.nintensities = static_cast<std::int32_t>(message.intensities.size());
-  message.rad0 = static_cast<float>(radians(beam_angle_deg(*ranges, 0)));
+  message.rad0 = static_cast<float>(radians(beam_angle_deg(*ranges, 0) - kAheadDeg));
   message.radstep = static_cast<float>(radians(true_step_deg(ranges->step)));
   return message;
 }

@@ -18,12 +18,13 @@ struct LineNumber {
 };
 
 /// LASER_LINE: all echoes of a scan with their remission, in pieces of at most kMaxLineBytes, as the device counts
-/// them. Empty when the scan has no ranges, or does not say how fast the mirror turns.
+/// ranges, remission and angles (0 to its right). Empty when the scan has no ranges, or does not say how fast the
+/// mirror turns.
 std::vector<laser_line_t> line_messages(const Scan& scan, const LineNumber& number);
 
 constexpr std::size_t kMaxLineBytes = 1300;
 
-/// LASER_SCAN: the first echo in metres, kNoReturn where nothing came back.
+/// LASER_SCAN: the first echo in metres, kNoReturn where nothing came back; angles in `laser` (0 straight ahead).
 bot_core::planar_lidar_t lidar_message(const Scan& scan, Utime utime);
 
 constexpr float kNoReturn = -1.0F;

@@ -165,7 +165,8 @@ TEST(LidarMessage, IsInMetres) {
     EXPECT_FLOAT_EQ(message.ranges[message.ranges.size() - 4 + i], said["range_mm_last4"][i].get<float>() / 1000);
   }
   EXPECT_EQ(std::count(message.ranges.begin(), message.ranges.end(), sick::kNoReturn), said["count_raw_below_16"]);
-  EXPECT_NEAR(message.rad0 + 1140 * message.radstep, 185 * M_PI / 180, 1e-5);
+  EXPECT_NEAR(message.rad0, -95 * M_PI / 180, 1e-5);
+  EXPECT_NEAR(message.rad0 + 1140 * message.radstep, 95 * M_PI / 180, 1e-5);
 }
 
 }  // namespace
