@@ -3,6 +3,7 @@
 #include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 
 #include "common/bus/channels.h"
 #include "common/bus/lcm_url.h"
@@ -16,6 +17,8 @@
 namespace scanway::schunk {
 namespace {
 constexpr auto kListenForTwins = std::chrono::milliseconds(1500);
+/// What the bus says waits for the device's turn at the most: stops must not wait.
+constexpr int kLongestTurnMs = 4;
 /// Until a stop is on its way and answered.
 constexpr Utime kLastWords = 200'000;
 
@@ -88,7 +91,7 @@ int run(const BridgeOptions& bridge, const Options& options) {
 
   const auto turn = [&](int timeout_ms) {
     node.obey(host_now());
-    driver.step(timeout_ms);
+    driver.step(std::min(timeout_ms, kLongestTurnMs));
     for (const std::string& line : driver.take_troubles()) spdlog::warn("{}", line);
     node.tell(host_now());
   };

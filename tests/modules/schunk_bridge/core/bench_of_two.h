@@ -17,9 +17,7 @@ inline CanFrame to_can(const TestFrame& frame) {
   return can;
 }
 
-inline TestFrame from_can(const CanFrame& can) {
-  return {can.id, {can.data.begin(), can.data.begin() + can.size}};
-}
+inline TestFrame from_can(const CanFrame& can) { return {can.id, {can.data.begin(), can.data.begin() + can.size}}; }
 
 /// The bridge's core and two test modules on a table, with a clock of their own.
 struct BenchOfTwo {

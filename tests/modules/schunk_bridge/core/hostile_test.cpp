@@ -13,7 +13,6 @@
 namespace scanway {
 namespace {
 
-
 #ifndef SCANWAY_RANDOM_STREAMS
 #define SCANWAY_RANDOM_STREAMS 20000
 #endif

@@ -10,7 +10,8 @@
 
 #include "common/files/input_error.h"
 #include "modules/schunk_bridge/device/pan_tilt_driver.h"
-#include "tests/modules/schunk_bridge/device/vcan_bench.h"
+#include "tests/modules/schunk_bridge/device/plain_socket.h"
+#include "tests/modules/schunk_bridge/responder.h"
 #include "tests/support/command.h"
 #include "tests/support/program.h"
 
@@ -62,6 +63,8 @@ class Can : public testing::Test {
 
   static schunk::PanTiltConfig fast() {
     schunk::PanTiltConfig config;
+    config.sweep.start = radians(-90);
+    config.sweep.angle = radians(180);
     config.sweep.speed = config.sweep.travel_speed = radians(119);
     return config;
   }
@@ -74,7 +77,7 @@ class Can : public testing::Test {
 TEST_F(Can, AWholeSweepThatCandumpSees) {
   const test::ScratchFolder scratch;
   Program candump({"candump", "-L", "vcan0"}, scratch / "log");
-  Responder responder;
+  Responder responder("vcan0");
   ASSERT_TRUE(get_ready());
   ASSERT_EQ(driver.core().start_sweep(PanTiltDriver::now()), "");
   ASSERT_TRUE(run_until([&] { return find(Event::Kind::sweep_done) != nullptr; }, 60));
@@ -82,17 +85,17 @@ TEST_F(Can, AWholeSweepThatCandumpSees) {
   const Event* start = find(Event::Kind::sweep_started);
   const Event* end = find(Event::Kind::sweep_ended);
   ASSERT_TRUE(start && end);
-  EXPECT_NEAR(start->position, radians(-180), radians(0.3));
-  EXPECT_NEAR(end->position, radians(180), radians(0.3));
-  EXPECT_NEAR(driver.core().pan().state()->position, radians(-180), radians(0.3));
+  EXPECT_NEAR(start->position, radians(-90), radians(0.3));
+  EXPECT_NEAR(end->position, radians(90), radians(0.3));
+  EXPECT_NEAR(driver.core().pan().state()->position, radians(-90), radians(0.3));
   EXPECT_EQ(driver.core().pan().counters().bad_frames, 0u);
   const std::string log = test::read_text(scratch / "log");
-  EXPECT_NE(log.find("50B#05B000003443"), std::string::npos);  // MOVE POS 180.
+  EXPECT_NE(log.find("50B#05B00000B442"), std::string::npos);  // MOVE POS 90.
   EXPECT_NE(log.find("70B#0B8495"), std::string::npos);        // A fragmented state.
 }
 
 TEST_F(Can, CansendSteersIt) {
-  Responder responder;
+  Responder responder("vcan0");
   ASSERT_TRUE(get_ready());
   ASSERT_EQ(driver.core().move_pan(radians(350), radians(20), PanTiltDriver::now()), "");
   ASSERT_TRUE(run_until([&] { return find(Event::Kind::started) != nullptr; }));
@@ -104,7 +107,7 @@ TEST_F(Can, CansendSteersIt) {
 }
 
 TEST_F(Can, AStopIsOnTheWireWithin20Milliseconds) {
-  Responder responder;
+  Responder responder("vcan0");
   ASSERT_TRUE(get_ready());
   std::vector<Utime> delays;
   for (int i = 0; i < 15; ++i) {
@@ -139,7 +142,7 @@ TEST_F(Can, AStopIsOnTheWireWithin20Milliseconds) {
 }
 
 TEST_F(Can, ComesBackWhenTheInterfaceDoes) {
-  Responder responder;
+  Responder responder("vcan0");
   ASSERT_TRUE(get_ready());
   ASSERT_EQ(test::run_command({"ip", "link", "set", "vcan0", "down"}).status, 0);
   const bool said = run_until([&] { return in_trouble("the CAN interface is down: sudo ip link set vcan0 up"); }, 5);
@@ -154,7 +157,7 @@ TEST_F(Can, ComesBackWhenTheInterfaceDoes) {
 
 TEST_F(Can, ModulesMayRestartOrStartLate) {
   EXPECT_TRUE(run_until([&] { return find(Event::Kind::lost) != nullptr; }, 5));
-  Responder responder;
+  Responder responder("vcan0");
   ASSERT_TRUE(get_ready());
   responder.with([](TestModule& pan, TestModule&) { pan.reboot(PanTiltDriver::now()); });
   events.clear();
@@ -163,7 +166,7 @@ TEST_F(Can, ModulesMayRestartOrStartLate) {
 }
 
 TEST_F(Can, SaysWhatTheBusReports) {
-  Responder responder;
+  Responder responder("vcan0");
   ASSERT_TRUE(get_ready());
   ASSERT_EQ(test::run_command({"cansend", "vcan0", "20000040#0000000000000000"}).status, 0);
   EXPECT_TRUE(run_until([&] { return in_trouble("bus off"); }, 5));
@@ -187,7 +190,7 @@ TEST_F(Can, NamesWhatIsWrongWithAnInterface) {
 
 TEST_F(Can, ProbeSaysWhatIsThere) {
   {
-    Responder responder;
+    Responder responder("vcan0");
     const auto found = schunk::probe("vcan0", {});
     EXPECT_TRUE(found.works);
     ASSERT_EQ(found.lines.size(), 2u);

@@ -10,19 +10,12 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cerrno>
-#include <mutex>
-#include <string>
-#include <thread>
-#include <vector>
 
-#include "modules/schunk_bridge/device/pan_tilt_driver.h"
+#include "common/time/utime.h"
 #include "tests/modules/schunk_bridge/support/test_module.h"
 
 namespace scanway::test {
-
-using schunk::PanTiltDriver;
 
 /// A plain CAN socket on vcan0 that has nothing of the bridge's.
 class PlainSocket {
@@ -68,45 +61,6 @@ class PlainSocket {
  private:
   int socket_;
   bool bound_ = false;
-};
-
-/// Two modules that live on vcan0 in a thread of their own.
-class Responder {
- public:
-  Responder() : thread_([this] { live(); }) {}
-  ~Responder() {
-    end_ = true;
-    thread_.join();
-  }
-  /// Looks at or changes the modules between two of their steps.
-  template <class Touch>
-  auto with(const Touch& touch) {
-    const std::lock_guard lock(mutex_);
-    return touch(pan_, tilt_);
-  }
-
- private:
-  void live() {
-    TestFrame frame;
-    while (!end_) {
-      const bool came = socket_.receive(frame, 1);
-      const std::lock_guard lock(mutex_);
-      for (TestModule* module : {&pan_, &tilt_}) {
-        const Utime now = PanTiltDriver::now();
-        if (came) answer(module->handle(frame, now));
-        answer(module->run(now));
-      }
-    }
-  }
-  void answer(const std::vector<TestFrame>& frames) {
-    for (const TestFrame& frame : frames) socket_.send(frame);
-  }
-
-  PlainSocket socket_;
-  std::mutex mutex_;
-  TestModule pan_{11, TestModule::kDegrees, true}, tilt_{12, TestModule::kDegrees, true};
-  std::atomic<bool> end_{false};
-  std::thread thread_;
 };
 
 }  // namespace scanway::test
