@@ -23,6 +23,7 @@
 #include "modules/tools/plan.h"
 #include "modules/tools/register.h"
 #include "modules/tools/replay.h"
+#include "modules/tools/spy.h"
 
 namespace scanway::tools {
 namespace {
@@ -146,6 +147,20 @@ void add_info(CLI::App& app, Action& action) {
   command->callback([&action] { action = [] { return run_info(options); }; });
 }
 
+void add_spy(CLI::App& app, Action& action) {
+  static SpyOptions options;
+  CLI::App* command = app.add_subcommand("spy", "What is on the bus: rates, gaps, bad messages, values of a channel");
+  command->add_option("channel", options.channel, "Show this channel's values instead of the table of all");
+  command->add_option("--lcm-url", options.lcm_url, "The bus (default: LCM_DEFAULT_URL, or multicast on this machine)");
+  command->add_option("--seconds", options.seconds, "Listen for so long")->check(CLI::Range(0.0, 1e9));
+  command->add_flag("--once", options.once, "One table, or the next message of the channel");
+  command->add_flag("--json", options.json, "JSON lines on stdout");
+  command->add_option("--elements", options.elements, "How many elements of an array to show")->capture_default_str();
+  command->add_option("--ask", options.ask, "Ask for the objects that this channel's senders hold");
+  command->add_option("--relay", options.relay, "Pass everything on to this bus, objects whole, for LCM's own tools");
+  command->callback([&action] { action = [] { return run_spy(options); }; });
+}
+
 void add_decode(CLI::App& app, Action& action) {
   struct Device {
     const char* name;
@@ -188,6 +203,7 @@ int run(int argc, char** argv) {
   add_octomap(app, action);
   add_replay(app, action);
   add_info(app, action);
+  add_spy(app, action);
   add_decode(app, action);
   try {
     app.parse(argc, argv);
