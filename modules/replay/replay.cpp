@@ -1,5 +1,6 @@
 #include "modules/replay/replay.h"
 
+#include <set>
 #include <utility>
 
 #include "common/bus/channels.h"
@@ -9,22 +10,34 @@
 #include "common/messages/bad_message.h"
 #include "common/messages/codec.h"
 #include "common/messages/object_assembler.h"
+#include "common/messages/objects.h"
 #include "common/messages/params_message.h"
 #include "common/messages/rigid.h"
 #include "scanway/reference_pose_t.hpp"
+#include "scanway/sweep_inputs_t.hpp"
 
 namespace scanway {
 namespace {
 
 /// What a robot measures and people ask for. All else in a log is derived from it.
-constexpr const Channel* kInputs[] = {&channel::kParams, &channel::kImu, &channel::kSweep, &channel::kReferencePose,
-                                      &channel::kGoal};
+constexpr const Channel* kInputs[] = {&channel::kImu, &channel::kSweep, &channel::kReferencePose, &channel::kGoal};
+/// The key of a live mapper's own PARAMS; an imported log's is kParamsKey.
+constexpr const char* kMapper = "mapper";
 
 bool is_input(std::string_view name) {
   for (const Channel* input : kInputs) {
     if (input->name == name) return true;
   }
   return false;
+}
+
+void note(const sweep_inputs_t& inputs, ListedOrientations& listed) {
+  std::optional<std::uint64_t> imu;
+  for (const input_span_t& input : inputs.inputs) {
+    if (input.channel == channel::kImu.name && input.used_count == 1)
+      imu = static_cast<std::uint64_t>(input.used_digest);
+  }
+  listed[static_cast<std::uint64_t>(inputs.sweep_digest)] = imu;
 }
 
 PathReport path_report(const std::optional<path_t>& path) {
@@ -34,20 +47,25 @@ PathReport path_report(const std::optional<path_t>& path) {
 
 }  // namespace
 
-std::optional<Robot> robot_of_log(const std::string& path) {
+LogStory story_of_log(const std::string& path) {
   LogReader log(path);
+  LogStory story;
   ObjectAssembler params;
+  std::set<std::string> known;
   while (const auto event = log.next()) {
-    if (event->channel != channel::kParams.name) continue;
     try {
+      if (event->channel == channel::kSweepInputs.name) note(decode<sweep_inputs_t>(event->bytes), story.orientations);
+      if (event->channel != channel::kParams.name) continue;
       const auto object = params.add(decode<piece_t>(event->bytes));
-      if (object) return parse_robot(robot_yaml_of(decode<params_t>(object->bytes)), path + " (PARAMS)");
+      if (!object || !known.insert(object->key).second || (story.robot && object->key != kMapper)) continue;
+      story.robot = parse_robot(robot_yaml_of(decode<params_t>(object->bytes)), path + " (PARAMS)");
     } catch (const BadMessage& bad) {
+      if (event->channel == channel::kSweepInputs.name) continue;  // Of no use to anybody, and the sweeps are there.
       throw InputError(printable(path) + ": its configuration (PARAMS) cannot be read: " + bad.what() +
                        "; name a robot file with --robot");
     }
   }
-  return std::nullopt;
+  return story;
 }
 
 void Replay::ScanTimer::begin(std::string_view name) {
@@ -61,14 +79,20 @@ std::vector<std::pair<std::string, double>> Replay::ScanTimer::finish_scan() {
   return seconds;
 }
 
-Replay::Replay(const Robot& robot, LogWriter& recording)
-    : bus_(recording), scan_timer_(run_timer_), mapper_(bus_, robot, &scan_timer_), planner_(bus_, robot, &run_timer_) {
+Replay::Replay(const Robot& robot, LogWriter& recording, ListedOrientations listed)
+    : robot_(robot),
+      bus_(recording),
+      scan_timer_(run_timer_),
+      mapper_(bus_, robot, &scan_timer_),
+      planner_(bus_, robot, &run_timer_) {
+  mapper_.use(std::move(listed));
   bus_.subscribe(channel::kRegistration.name, [this](const BusMessage& message) { note_scan(message); });
   bus_.subscribe(channel::kReferencePose.name, [this](const BusMessage& message) { note_reference(message); });
 }
 
 void Replay::run(LogReader& log, const std::function<void(double)>& progress) {
-  while (const auto event = log.next()) {
+  for (bool first = true; const auto event = log.next();) {
+    if (std::exchange(first, false)) tell_params(event->utime);
     if (!is_input(event->channel)) continue;
     bus_.feed(event->channel, event->bytes, event->utime);
     if (progress) progress(static_cast<double>(event->offset) / static_cast<double>(log.file_bytes()));
@@ -77,6 +101,11 @@ void Replay::run(LogReader& log, const std::function<void(double)>& progress) {
   bus_.dispatch();
   planner_.finish();
   bus_.dispatch();
+}
+
+void Replay::tell_params(Utime begin) {
+  bus_.begin(begin);
+  publish_object(bus_, channel::kParams, encode(params_message(begin, robot_text(robot_))), kParamsKey, 1, begin);
 }
 
 void Replay::note_scan(const BusMessage& bytes) {

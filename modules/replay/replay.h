@@ -17,15 +17,21 @@
 
 namespace scanway {
 
-/// The robot that a log was recorded with (its first PARAMS), or nothing. Throws InputError for a configuration that
-/// cannot be read.
-std::optional<Robot> robot_of_log(const std::string& path);
+/// What a log says of how it came about.
+struct LogStory {
+  std::optional<Robot> robot;       ///< The mapper's first PARAMS, or else the log's first; nothing if there is none.
+  ListedOrientations orientations;  ///< By SWEEP_INPUTS.
+};
+
+/// Throws InputError for a configuration that cannot be read.
+LogStory story_of_log(const std::string& path);
 
 /// The nodes in one process over a log. What is derived in the log is left aside and made anew.
 class Replay {
  public:
-  /// `recording` gets the log's inputs and all that the nodes publish; it must outlive this.
-  Replay(const Robot& robot, LogWriter& recording);
+  /// `recording` gets the log's inputs, `robot` as the PARAMS in force, and all that the nodes publish; it must outlive
+  /// this. A sweep of `listed` gets the orientation that it had when it was recorded.
+  Replay(const Robot& robot, LogWriter& recording, ListedOrientations listed = {});
 
   /// Feeds the whole log. `progress` is told how far it is, from 0 to 1, now and then.
   void run(LogReader& log, const std::function<void(double)>& progress = {});
@@ -49,10 +55,12 @@ class Replay {
     StageTimer scan_;
   };
 
+  void tell_params(Utime begin);
   void note_scan(const BusMessage& verdict);
   void note_reference(const BusMessage& reference);
   std::map<std::string, std::int64_t> counters() const;
 
+  const Robot robot_;
   ReplayBus bus_;
   StageTimer run_timer_;
   ScanTimer scan_timer_;

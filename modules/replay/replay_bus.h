@@ -13,6 +13,8 @@ class ReplayBus : public Bus {
  public:
   explicit ReplayBus(LogWriter& log) : log_(log) {}
 
+  /// The recording begins at that time.
+  void begin(Utime utime) { now_ = utime; }
   /// Feeds an event of the replayed log, and lets the nodes work until nothing waits.
   void feed(std::string_view channel, std::span<const std::uint8_t> bytes, Utime utime) {
     now_ = std::max(now_, utime);

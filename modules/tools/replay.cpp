@@ -1,6 +1,7 @@
 #include "modules/tools/replay.h"
 
 #include <cstdio>
+#include <utility>
 
 #include <spdlog/spdlog.h>
 
@@ -19,21 +20,16 @@ namespace {
 
 constexpr int kLogWasDamaged = 1;
 
-/// The robot file that the user names, else the log's own configuration; nothing if there is neither.
-std::optional<Robot> chosen_robot(const ReplayOptions& options) {
-  if (!options.robot.empty()) return load_robot(options.robot);
-  return robot_of_log(options.log);
-}
-
 }  // namespace
 
 int run_replay(const ReplayOptions& options) {
   LogReader log(options.log);
-  const std::optional<Robot> robot = chosen_robot(options);
+  LogStory story = story_of_log(options.log);
+  const std::optional<Robot> robot = options.robot.empty() ? story.robot : load_robot(options.robot);
   const ProductFolder folder(options.output);
 
   LogWriter recording(folder.path_of("out.lcmlog"));
-  Replay replay(robot.value_or(Robot{}), recording);
+  Replay replay(robot.value_or(Robot{}), recording, std::move(story.orientations));
   {
     ProgressBar bar("replaying " + printable(options.log));
     replay.run(log, [&bar](double share) { bar.show(share); });

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <span>
 #include <utility>
 
@@ -93,6 +94,8 @@ void MapperNode::take_imu(const BusMessage& message) {
     const auto imu = decode<bot_core::ins_t>(message.bytes);
     const Orientation arrived{imu.utime, orientation_of(imu), {message.bytes.begin(), message.bytes.end()}};
     ++news_;
+    if (const std::uint64_t name = digest(message.bytes); is_listed(name))
+      listed_arrived_.insert_or_assign(name, arrived);
     inputs_.add(kImuInput, imu.utime, arrived);
   } catch (const BadMessage&) {
     ++bad_messages_;
@@ -117,21 +120,37 @@ void MapperNode::take_piece(const BusMessage& message) {
 
 void MapperNode::work_on(Input&& input) {
   if (const auto* orientation = std::get_if<Orientation>(&input)) {
-    orientation_ = *orientation;
+    newest_orientation_ = *orientation;
   } else {
     add_sweep(std::get<ArrivedSweep>(std::move(input)));
   }
 }
 
+bool MapperNode::is_listed(std::uint64_t imu) const {
+  return std::any_of(listed_.begin(), listed_.end(), [imu](const auto& sweep) { return sweep.second == imu; });
+}
+
+std::optional<MapperNode::Orientation> MapperNode::orientation_for(const ArrivedSweep& arrived) const {
+  if (const auto listed = listed_.find(arrived.object.digest); listed != listed_.end()) {
+    const auto known = listed->second ? listed_arrived_.find(*listed->second) : listed_arrived_.end();
+    return known == listed_arrived_.end() ? std::nullopt : std::optional(known->second);
+  }
+  const bool is_old = newest_orientation_ && arrived.sweep.utime - newest_orientation_->utime > kMaxOrientationAge;
+  return is_old ? std::nullopt : newest_orientation_;
+}
+
 void MapperNode::add_sweep(ArrivedSweep&& arrived) {
-  if (orientation_ && arrived.sweep.utime - orientation_->utime > kMaxOrientationAge) orientation_.reset();
+  orientation_ = orientation_for(arrived);
   if (orientation_) arrived.sweep.R_world_sweep = orientation_->R_world_sweep;
   if (!orientation_) ++without_orientation_;
   bus_.publish(channel::kSweepInputs.name, encode(inputs_of(arrived)), arrived.sweep.utime);
   keep(arrived.object, orientation_);
   const SweepResult result = mapper_.add(arrived.sweep, stages_);
   if (store_ != nullptr && result.verdict != Verdict::accepted) store_->drop(arrived.object);
+  begin_stage(stages_, "publish");
   publish_result(result, arrived.sweep);
+  begin_stage(stages_, "");
+  if (finished_) finished_(arrived.sweep.name, arrived.sweep.utime);
 }
 
 void MapperNode::keep(const Object& sweep, const std::optional<Orientation>& orientation) {

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -23,6 +26,10 @@
 
 namespace scanway {
 
+/// Of sweeps that were worked on before: by a sweep's digest, that of the IMU message whose orientation it used, if
+/// any.
+using ListedOrientations = std::map<std::uint64_t, std::optional<std::uint64_t>>;
+
 /// The mapper on the bus: SWEEP and IMU in, merged by their own time; SWEEP_INPUTS, REGISTRATION, POSE and the map's
 /// products out.
 class MapperNode {
@@ -32,6 +39,11 @@ class MapperNode {
 
   /// No more input will come: what still waits for data with a later time is worked on now.
   void finish() { inputs_.flush(); }
+
+  /// A sweep that `listed` names gets the orientation that is named there, whatever came when. For replay.
+  void use(ListedOrientations listed) { listed_ = std::move(listed); }
+  /// `finished` is told of each sweep, by its name and time, when all of its products are published.
+  void on_finished(std::function<void(std::string_view, Utime)> finished) { finished_ = std::move(finished); }
 
   /// Works on the sweeps that `store` holds, and keeps those that come in it from now on. It must outlive this.
   void restore(const SweepStore& store);
@@ -61,6 +73,8 @@ class MapperNode {
   using Input = std::variant<Orientation, ArrivedSweep>;
 
   void take_imu(const BusMessage& message);
+  bool is_listed(std::uint64_t imu) const;
+  std::optional<Orientation> orientation_for(const ArrivedSweep& arrived) const;
   void take_piece(const BusMessage& message);
   void work_on(Input&& input);
   void add_sweep(ArrivedSweep&& arrived);
@@ -74,7 +88,11 @@ class MapperNode {
   MapPublisher publisher_;
   ObjectAssembler sweeps_;
   OrderedMerge<Input> inputs_;
-  std::optional<Orientation> orientation_;  // The newest that the merge let go.
+  std::optional<Orientation> newest_orientation_;  // That the merge let go.
+  std::optional<Orientation> orientation_;         // Of the sweep that is worked on.
+  ListedOrientations listed_;
+  std::map<std::uint64_t, Orientation> listed_arrived_;  // By the digest of the message.
+  std::function<void(std::string_view, Utime)> finished_;
   const SweepStore* store_ = nullptr;
   std::string store_trouble_;
   std::size_t news_ = 0;

@@ -6,11 +6,10 @@
 
 #include "common/bus/channels.h"
 #include "common/bus/lcm_url.h"
-#include "common/config/robot_file.h"
 #include "common/messages/codec.h"
-#include "common/messages/objects.h"
-#include "common/messages/params_message.h"
+#include "common/process/params_teller.h"
 #include "common/process/program.h"
+#include "common/process/work_timer.h"
 #include "modules/mapper/node/arrival_keeper.h"
 #include "modules/mapper/node/mapper_node.h"
 
@@ -35,7 +34,9 @@ int run(const ProgramOptions& options) {
   LcmBus lcm(lcm_url(options.lcm_url));
   if (!lcm.advice().empty()) spdlog::warn("{}", lcm.advice());
   LiveBusOptions live = live_bus_options(options);
-  live.repeated = {std::string(channel::kPose.name)};
+  for (const Channel* said_once : {&channel::kSweepInputs, &channel::kRegistration, &channel::kPose}) {
+    live.repeated.emplace_back(said_once->name);
+  }
   std::optional<SweepStore> store;
   std::optional<ArrivalKeeper> keeper;
   if (!options.state.empty()) {
@@ -44,11 +45,16 @@ int run(const ProgramOptions& options) {
   }
 
   LiveBus bus(lcm, who, live);
-  MapperNode node(bus, robot);
+  WorkTimer timer(bus);
+  ParamsTeller params(bus, who.process, robot, who.start);
+  MapperNode node(bus, robot, &timer);
+  node.on_finished([&](std::string_view sweep, Utime utime) {
+    timer.finish(sweep, utime);
+    params.tell();
+  });
   bus.start();
   bus.refuse_twins(kListenForTwins);
-  publish_object(bus, channel::kParams, encode(params_message(who.start, robot_text(robot))), kParamsKey, who.start,
-                 who.start);
+  params.tell();
   if (store) restore(bus, node, *store);
   spdlog::info("ready: map version {}", node.mapper().map().version());
   serve(bus, {[&node] { return node.news(); }, [&node] { node.settle(); },

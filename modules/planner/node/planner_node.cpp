@@ -121,7 +121,21 @@ void PlannerNode::take(std::size_t channel, Utime utime, Input input) {
   // Late is counted, but what is newest is the state of the world all the same: a goal is still the operator's will,
   // and the next version of the map builds on this one.
   if (!inputs_.add(channel, utime, input)) work_on(std::move(input));
-  if (provisional_ && inputs_.waiting() > 0) provisional_->plan(replica_.up_to_date());
+  if (provisional_ && inputs_.waiting() > 0) plan_provisionally();
+}
+
+void PlannerNode::plan_provisionally() {
+  const std::int64_t before = provisional_->plans();
+  begin_stage(stages_, "provisional_plan");
+  provisional_->plan(replica_.up_to_date());
+  begin_stage(stages_, "");
+  if (provisional_->plans() != before) finish_work("provisional plan");
+}
+
+void PlannerNode::finish_work(const std::string& what) {
+  if (!finished_) return;
+  const Utime map = basis_.version ? basis_.version->utime : 0;
+  finished_(what, std::max({map, newest_pose_.value_or(0), newest_goal_ ? newest_goal_->utime : 0}));
 }
 
 void PlannerNode::settle() {
@@ -167,6 +181,7 @@ void PlannerNode::plan() {
   without_embodiment_ = plan(planning::BodyMode::point);
   with_embodiment_ = plan(body_);
   begin_stage(stages_, "");
+  finish_work("map version " + std::to_string(basis_.version->version));
 }
 
 path_t PlannerNode::plan(planning::BodyMode mode) {

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <variant>
 
 #include "common/bus/bus.h"
@@ -34,6 +37,9 @@ class PlannerNode {
   /// No more input will come: what still waits for data with a later time is worked on now.
   void finish() { inputs_.flush(); }
 
+  /// `finished` is told of each time that it planned, by the version of the map and the newest input's time.
+  void on_finished(std::function<void(std::string_view, Utime)> finished) { finished_ = std::move(finished); }
+
   /// Nothing has come for a while. If the mapper has said since the last call that it is settled at the version that is
   /// here, nothing with an earlier time will come, and what waits is worked on.
   void settle();
@@ -62,6 +68,8 @@ class PlannerNode {
   void work_on(Input&& input);
   void change_map(const ClosedVersion& version);
   void plan();
+  void plan_provisionally();
+  void finish_work(const std::string& what);
   path_t plan(planning::BodyMode mode);
 
   Bus& bus_;
@@ -81,6 +89,7 @@ class PlannerNode {
   std::optional<Utime> newest_pose_;
   std::optional<Goal> newest_goal_;
   std::optional<map_state_t> mapper_;  // What it said since the last settle().
+  std::function<void(std::string_view, Utime)> finished_;
   bool outdated_ = false;
   std::size_t news_ = 0;
   std::int64_t bad_messages_ = 0;

@@ -11,7 +11,9 @@
 #include "common/bus/log_writer.h"
 #include "common/files/input_error.h"
 #include "common/files/product_folder.h"
+#include "common/process/params_teller.h"
 #include "common/process/program.h"
+#include "common/process/work_timer.h"
 #include "modules/planner/node/planner_node.h"
 
 namespace scanway {
@@ -58,11 +60,19 @@ int run(const ProgramOptions& options) {
   if (!lcm.advice().empty()) spdlog::warn("{}", lcm.advice());
   const GoalFile kept_goal(options.state);
 
-  LiveBus bus(lcm, this_process("planner"), live_bus_options(options));
-  PlannerNode node(bus, robot, nullptr, PlannerNode::Pace::live);
+  const Identity who = this_process("planner");
+  LiveBus bus(lcm, who, live_bus_options(options));
+  WorkTimer timer(bus);
+  ParamsTeller params(bus, who.process, robot, who.start);
+  PlannerNode node(bus, robot, &timer, PlannerNode::Pace::live);
+  node.on_finished([&](std::string_view plan, Utime utime) {
+    timer.finish(plan, utime);
+    params.tell();
+  });
   bus.subscribe(channel::kGoal.name, [&](const BusMessage& goal) { kept_goal.keep(goal); });
   bus.start();
   bus.refuse_twins(kListenForTwins);
+  params.tell();
   kept_goal.tell([&node](const BusMessage& goal) { node.take_goal(goal); });
   spdlog::info("ready");
   serve(bus, {[&node] { return node.news(); }, [&node] { node.settle(); },
