@@ -68,7 +68,7 @@ struct ProbeResult {
   std::vector<std::string> lines;  ///< What was found, for people.
 };
 
-/// Tries the bus and both modules for three seconds. Moves nothing. Throws InputError when the bus cannot be used.
-ProbeResult probe(const std::string& bus, const PanTiltConfig& config);
+/// Tries the bus and both modules for that time. Moves nothing. Throws InputError when the bus cannot be used.
+ProbeResult probe(const std::string& bus, const PanTiltConfig& config, Utime time = 3 * kMicrosecondsPerSecond);
 
 }  // namespace scanway::schunk

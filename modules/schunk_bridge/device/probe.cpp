@@ -8,8 +8,6 @@
 namespace scanway::schunk {
 namespace {
 
-constexpr Utime kProbeTime = 3'000'000;
-
 std::string list(const std::set<int>& modules) {
   std::string text;
   for (const int module : modules) text += (text.empty() ? "" : ", ") + std::to_string(module);
@@ -59,7 +57,7 @@ std::vector<std::string> look_for_others(const std::string& bus, const PanTiltCo
 
 }  // namespace
 
-ProbeResult probe(const std::string& bus, const PanTiltConfig& config) {
+ProbeResult probe(const std::string& bus, const PanTiltConfig& config, Utime time) {
   open_can(bus);  // Or say why not.
   PanTiltDriver driver(bus, config);
   ProbeResult result;
@@ -68,7 +66,7 @@ ProbeResult probe(const std::string& bus, const PanTiltConfig& config) {
   const auto ready = [&] {
     return driver.core().pan().phase() == Axis::Phase::ready && driver.core().tilt().phase() == Axis::Phase::ready;
   };
-  for (const Utime end = PanTiltDriver::now() + kProbeTime; PanTiltDriver::now() < end && !ready();) driver.step(10);
+  for (const Utime end = PanTiltDriver::now() + time; PanTiltDriver::now() < end && !ready();) driver.step(10);
   for (const std::string& trouble : driver.take_troubles()) lines.push_back(trouble);
   for (const Event& event : driver.core().take_events()) lines.push_back(event.text);
   result.works = ready();

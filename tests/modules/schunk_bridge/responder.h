@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <memory>
 #include <mutex>
@@ -16,6 +17,16 @@
 #include "tests/modules/schunk_bridge/support/test_module.h"
 
 namespace scanway::test {
+
+/// Whether that CAN bus can be used.
+inline bool is_there(const std::string& bus) {
+  try {
+    open_can(bus);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
 
 /// Two modules that live on a CAN bus, real or pretended, in a thread of their own, and come back when it does.
 class Responder {
