@@ -103,6 +103,9 @@ class Reader {
 std::string one_line(const Json& value) {
   if (value.is_string()) return fmt::format("\"{}\"", printable(value.get_ref<const std::string&>()));
   if (value.is_number_float()) return fmt::format("{:.9g}", value.get<double>());
+  if (value.is_object() && value.size() == 1 && value.contains(kMore)) {
+    return fmt::format("... {} more", value[kMore].get<std::size_t>());
+  }
   std::string parts;
   const auto add = [&parts](const std::string& part) { parts += (parts.empty() ? "" : ", ") + part; };
   if (value.is_object()) {
@@ -110,10 +113,7 @@ std::string one_line(const Json& value) {
     return parts;
   }
   if (!value.is_array()) return value.dump();
-  for (const Json& element : value) {
-    const bool rest = element.is_object() && element.size() == 1 && element.contains(kMore);
-    add(rest ? fmt::format("... {} more", element[kMore].get<std::size_t>()) : one_line(element));
-  }
+  for (const Json& element : value) add(one_line(element));
   return "[" + parts + "]";
 }
 
