@@ -13,6 +13,7 @@
 
 #include "common/files/input_error.h"
 #include "common/files/printable.h"
+#include "modules/tools/command.h"
 #include "modules/tools/decode_erratic.h"
 #include "modules/tools/decode_lms.h"
 #include "modules/tools/decode_schunk.h"
@@ -23,6 +24,7 @@
 #include "modules/tools/plan.h"
 #include "modules/tools/register.h"
 #include "modules/tools/replay.h"
+#include "modules/tools/simulate.h"
 #include "modules/tools/spy.h"
 
 namespace scanway::tools {
@@ -161,6 +163,48 @@ void add_spy(CLI::App& app, Action& action) {
   command->callback([&action] { action = [] { return run_spy(options); }; });
 }
 
+void add_simulate(CLI::App& app, Action& action) {
+  static SimulateSweepOptions sweep_options;
+  static SimulateTruthOptions truth_options;
+  CLI::App* simulate = app.add_subcommand("simulate", "Sweeps and maps of made-up places, with their truth");
+  simulate->require_subcommand(1);
+  CLI::App* sweep = simulate->add_subcommand("sweep", "A sweep: a labelled cloud, or a log of the devices' messages");
+  CLI::App* truth = simulate->add_subcommand("truth", "The world's own grid as a map file");
+  CLI::App* worlds = simulate->add_subcommand("worlds", "The worlds that there are");
+  sweep->add_option("--world", sweep_options.world, "One of `scanway simulate worlds`")->required();
+  sweep->add_option("--seed", sweep_options.seed, "Another seed is another world of the kind")->capture_default_str();
+  sweep->add_option("--pose", sweep_options.poses, "Where the robot stands, m, m, rad; again for more sweeps in a log")
+      ->required()
+      ->type_name("X,Y,YAW");
+  sweep->add_option("--thin", sweep_options.thin, "Only every K-th line, and of it every K-th beam")
+      ->check(CLI::Range(1, 64));
+  sweep->add_option("--robot", sweep_options.robot, "Robot file (default: ERA-Mobi with its devices' sizes)");
+  sweep->add_flag("--body", sweep_options.body, "Keep the points on the robot itself");
+  sweep->add_option("-o,--output", sweep_options.output, "FILE.pcd, or FILE.lcm for a log")->required();
+  truth->add_option("--world", truth_options.world, "One of `scanway simulate worlds`")->required();
+  truth->add_option("--seed", truth_options.seed, "Another seed is another world of the kind")->capture_default_str();
+  truth->add_option("--resolution", truth_options.resolution_m, "Edge of a cell, m")->check(CLI::Range(0.005, 1.0));
+  truth->add_option("--robot", truth_options.robot, "Robot file: its climbable step and height");
+  truth->add_option("-o,--output", truth_options.output, "MAP.yaml")->required();
+  sweep->callback([&action] { action = [] { return run_simulate_sweep(sweep_options); }; });
+  truth->callback([&action] { action = [] { return run_simulate_truth(truth_options); }; });
+  worlds->callback([&action] { action = [] { return run_simulate_worlds(); }; });
+}
+
+void add_command(CLI::App& app, Action& action) {
+  static CommandOptions options;
+  CLI::App* command = app.add_subcommand("command", "Tell the pan-tilt what to do");
+  command->add_option("what", options.what, "sweep, move, turn, reference, stop, fast-stop or acknowledge")
+      ->required()
+      ->check(CLI::IsMember({"sweep", "move", "turn", "reference", "stop", "fast-stop", "acknowledge"}));
+  command->add_option("--pan-deg", options.pan_deg, "move: where to");
+  command->add_option("--tilt-deg", options.tilt_deg, "move: where to; sweep: the tilt to hold");
+  command->add_option("--pan-speed-deg-s", options.pan_speed_deg_s, "turn: with its sign; sweep: while it scans; move");
+  command->add_option("--tilt-speed-deg-s", options.tilt_speed_deg_s, "turn: with its sign; move");
+  command->add_option("--lcm-url", options.lcm_url, "The bus (default: LCM_DEFAULT_URL, or multicast on this machine)");
+  command->callback([&action] { action = [] { return run_command(options); }; });
+}
+
 void add_decode(CLI::App& app, Action& action) {
   struct Device {
     const char* name;
@@ -204,6 +248,8 @@ int run(int argc, char** argv) {
   add_replay(app, action);
   add_info(app, action);
   add_spy(app, action);
+  add_simulate(app, action);
+  add_command(app, action);
   add_decode(app, action);
   try {
     app.parse(argc, argv);

@@ -83,7 +83,7 @@ BeamReading BeamModel::reading_of(const Echo& echo, Random& random) const {
   if (optics.relief_m > 0.0) range += optics.relief_m * random.normal();
   const double count = std::floor(range / range_scale_m_ + 0.5);
   if (range > laser_.max_range_m || count < kFirstRangeCount || count > kLastRangeCount) return {};
-  const double white = std::min(1.6, echo.power * echo.range_m * echo.range_m);
+  const double white = std::min(2.0, echo.power * echo.range_m * echo.range_m);
   const double rssi = 35.0 + 170.0 * std::sqrt(white) - 0.8 * echo.range_m + 6.0 * (random.uniform() - 0.5);
   return {static_cast<std::uint16_t>(count), static_cast<std::uint8_t>(std::clamp(std::floor(rssi + 0.5), 1.0, 255.0)),
           echo.surface.label};

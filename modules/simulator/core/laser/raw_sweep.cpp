@@ -13,7 +13,7 @@ namespace scanway::simulator {
 namespace {
 
 constexpr std::size_t kLinesAtOnce = 8;
-constexpr double kBodyMargin_m = 0.03;
+constexpr double kBodyMargin_m = 0.08;  // Mixed pixels at the body's edge lie outside it; the ground there is hidden.
 
 int kept(int all, int thin) { return (all + thin - 1) / thin; }
 

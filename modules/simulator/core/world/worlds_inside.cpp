@@ -153,9 +153,9 @@ void build_rubble(World& world) {
                       heading + kQuarter),
             {length, 0.22, 0.28}, {random.below(3) == 0 ? Material::steel : Material::concrete, Label::debris});
   }
-  for (int i = 0; i < 420; ++i) {  // Bricks and lumps; some small enough to drive over, and some on the way.
-    const Eigen::Vector2d p =
-        i < 40 ? Eigen::Vector2d(between(random, -19, 12), between(random, -1.7, 2.6)) : somewhere(1.7);
+  for (int i = 0; i < 420; ++i) {  // Bricks and lumps; some small enough to drive over, and some beside the way.
+    const double side = i % 2 == 0 ? between(random, -1.7, -0.4) : between(random, 1.5, 2.6);
+    const Eigen::Vector2d p = i < 40 ? Eigen::Vector2d(between(random, -19, 12), side) : somewhere(1.7);
     const double size = i % 3 == 0 ? between(random, 0.3, 0.9) : between(random, 0.06, 0.3);
     const double body = i < 40 ? between(random, 0.06, 0.22) : size;
     add_box(mesh,
