@@ -14,16 +14,8 @@ namespace {
 
 // Paced senders and this much room: a reader may sleep for half a second.
 constexpr std::size_t kReceiveBuffer = std::size_t{4} << 20;
-constexpr std::size_t kEnoughBuffer = std::size_t{1} << 20;
 constexpr int kReceiveWaitMs = 50;
 constexpr auto kReconnectWait = std::chrono::milliseconds(500);
-
-std::string buffer_advice(const std::string& url) {
-  const std::size_t granted = granted_receive_buffer(kReceiveBuffer);
-  if (!url.starts_with("udpm") || granted >= kEnoughBuffer) return {};
-  return "the kernel gives a receive buffer of only " + std::to_string(granted / 1024) +
-         " kB, bursts may be lost; mend it: sysctl -w net.core.rmem_max=8388608";
-}
 
 // LCM takes a regular expression.
 std::string exactly(std::string_view channel) {
@@ -37,7 +29,8 @@ std::string exactly(std::string_view channel) {
 
 }  // namespace
 
-LcmBus::LcmBus(const std::string& url) : url_(url), advice_(buffer_advice(url)) {
+LcmBus::LcmBus(const std::string& url)
+    : url_(url), advice_(receive_buffer_advice(url, granted_receive_buffer(kReceiveBuffer))) {
   check_lcm_url(url);
   lcm_ = lcm_create(with_receive_buffer(url, kReceiveBuffer).c_str());
   if (lcm_ == nullptr) {

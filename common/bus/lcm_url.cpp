@@ -20,6 +20,7 @@ namespace {
 
 constexpr const char* kDefaultUrl = "udpm://239.255.76.67:7667?ttl=0";
 constexpr const char* kDefaultHost = "239.255.76.67";
+constexpr std::size_t kEnoughBuffer = std::size_t{1} << 20;
 constexpr std::uint16_t kDefaultPort = 7667;
 
 struct Url {
@@ -106,6 +107,12 @@ void check_lcm_url(const std::string& url) {
 std::string with_receive_buffer(const std::string& url, std::size_t bytes) {
   if (!url.starts_with("udpm://") || url.find("recv_buf_size=") != std::string::npos) return url;
   return url + (url.find('?') == std::string::npos ? "?" : "&") + "recv_buf_size=" + std::to_string(bytes);
+}
+
+std::string receive_buffer_advice(const std::string& url, std::size_t granted) {
+  if (!url.starts_with("udpm") || granted >= kEnoughBuffer) return {};
+  return "the kernel gives a receive buffer of only " + std::to_string(granted / 1024) +
+         " kB, bursts may be lost; mend it: sysctl -w net.core.rmem_max=8388608";
 }
 
 std::size_t granted_receive_buffer(std::size_t bytes) {

@@ -15,6 +15,9 @@ void check_lcm_url(const std::string& url);
 /// `url` with a receive buffer of `bytes`, if it is one of multicast and does not ask for another size.
 std::string with_receive_buffer(const std::string& url, std::size_t bytes);
 
+/// What to do about a receive buffer of `granted` bytes, in one line; empty: nothing.
+std::string receive_buffer_advice(const std::string& url, std::size_t granted);
+
 /// What the kernel gives a socket that asks for a receive buffer of `bytes`.
 std::size_t granted_receive_buffer(std::size_t bytes);
 

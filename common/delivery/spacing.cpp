@@ -6,7 +6,7 @@ namespace scanway {
 namespace {
 
 constexpr Utime kLongestInterval = 10 * kMicrosecondsPerSecond;
-constexpr std::size_t kAlike = 12;  // Of the intervals that are remembered; a stream on a lossy link has longer ones.
+constexpr std::size_t kAlike = 20;  // Of the intervals that are remembered; a lossy link makes longer ones.
 
 }  // namespace
 

@@ -17,7 +17,7 @@ class Spacing {
   std::int64_t missing() const { return missing_; }  ///< In all.
 
  private:
-  static constexpr std::size_t kRemembered = 16;
+  static constexpr std::size_t kRemembered = 32;
 
   Utime usual() const;  // Interval; 0 if there is none.
 

@@ -78,11 +78,12 @@ MapperNode::MapperNode(Bus& bus, const Robot& robot, StageListener* stages)
 
 std::map<std::string, std::int64_t> MapperNode::counters() const {
   const AssemblerCounters& pieces = sweeps_.counters();
-  return {{"mapper_bad_messages", bad_messages_},
+  return {{"mapper_bad_messages", bad_messages_ + sweeps_.bad_messages()},
           {"mapper_bad_pieces", static_cast<std::int64_t>(pieces.bad_pieces)},
           {"mapper_bad_sweeps", static_cast<std::int64_t>(pieces.bad_objects)},
           {"mapper_repeated_pieces", static_cast<std::int64_t>(pieces.repeated_pieces)},
           {"mapper_incomplete_sweeps", static_cast<std::int64_t>(sweeps_.incomplete().size())},
+          {"mapper_given_up_sweeps", static_cast<std::int64_t>(pieces.given_up)},
           {"mapper_late_imu", static_cast<std::int64_t>(inputs_.late(kImuInput))},
           {"mapper_late_sweeps", static_cast<std::int64_t>(inputs_.late(kSweepInput))},
           {"mapper_sweeps_settled_in_silence", settled_in_silence_},
@@ -103,19 +104,14 @@ void MapperNode::take_imu(const BusMessage& message) {
 }
 
 void MapperNode::take_piece(const BusMessage& message) {
-  try {
-    const auto piece = decode<piece_t>(message.bytes);
-    ++news_;
-    std::optional<Object> object = sweeps_.add(piece);
-    if (!object) return;
-    Sweep sweep = to_sweep(decode<sweep_t>(object->bytes));
+  ++news_;
+  sweeps_.take(message.bytes, [this](const sweep_t& arrived, Object& object) {
+    Sweep sweep = to_sweep(arrived);
     const Utime utime = sweep.utime;
-    object->utime = utime;
-    if (store_ == nullptr) object->bytes = {};
-    inputs_.add(kSweepInput, utime, ArrivedSweep{std::move(sweep), std::move(*object)});
-  } catch (const BadMessage&) {
-    ++bad_messages_;
-  }
+    object.utime = utime;
+    if (store_ == nullptr) object.bytes = {};
+    inputs_.add(kSweepInput, utime, ArrivedSweep{std::move(sweep), std::move(object)});
+  });
 }
 
 void MapperNode::work_on(Input&& input) {
@@ -182,7 +178,8 @@ void MapperNode::restore(const SweepStore& store) {
   store_ = &store;
 }
 
-void MapperNode::settle() {
+void MapperNode::settle(bool sweeps_expected) {
+  if (!sweeps_expected) sweeps_.give_up_all();
   settled_in_silence_ += static_cast<std::int64_t>(inputs_.waiting());
   inputs_.flush();
 }
@@ -202,6 +199,9 @@ std::string MapperNode::summary() const {
   if (const auto sweeps = sweeps_.incomplete(); !sweeps.empty()) {
     sentences.push_back(fmt::format("sweep {} lacks {} of {} pieces", sweeps.front().key, sweeps.front().missing_count,
                                     sweeps.front().npieces));
+  }
+  if (const std::uint64_t given_up = sweeps_.counters().given_up; given_up > 0) {
+    sentences.push_back(fmt::format("{} sweeps never became whole and are not in the map", given_up));
   }
   if (inputs_.waiting() > 0) sentences.push_back("a sweep or orientation waits for later data");
   if (without_orientation_ > 0) {

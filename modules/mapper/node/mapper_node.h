@@ -15,7 +15,7 @@
 #include "common/bus/bus.h"
 #include "common/bus/ordered_merge.h"
 #include "common/cloud/sweep.h"
-#include "common/messages/object_assembler.h"
+#include "common/messages/object_input.h"
 #include "common/messages/objects.h"
 #include "common/progress/stages.h"
 #include "modules/mapper/core/mapper.h"
@@ -23,6 +23,7 @@
 #include "modules/mapper/node/sweep_store.h"
 #include "scanway/map_state_t.hpp"
 #include "scanway/sweep_inputs_t.hpp"
+#include "scanway/sweep_t.hpp"
 
 namespace scanway {
 
@@ -48,8 +49,9 @@ class MapperNode {
   /// Works on the sweeps that `store` holds, and keeps those that come in it from now on. It must outlive this.
   void restore(const SweepStore& store);
   /// Nothing has come for a while, so nothing with an earlier time is on its way: what waits is worked on. What it was
-  /// made of is in SWEEP_INPUTS, as ever.
-  void settle();
+  /// made of is in SWEEP_INPUTS, as ever. Unless pieces of sweeps are still expected (asked for), sweeps that are not
+  /// whole are given up and counted, so that the map is settled without them.
+  void settle(bool sweeps_expected = false);
   /// How far the map is (MAP_STATE).
   map_state_t state() const;
   std::size_t news() const { return news_; }  ///< Inputs taken so far.
@@ -86,7 +88,7 @@ class MapperNode {
   StageListener* stages_;
   Mapper mapper_;
   MapPublisher publisher_;
-  ObjectAssembler sweeps_;
+  ObjectInput<sweep_t> sweeps_;
   OrderedMerge<Input> inputs_;
   std::optional<Orientation> newest_orientation_;  // That the merge let go.
   std::optional<Orientation> orientation_;         // Of the sweep that is worked on.

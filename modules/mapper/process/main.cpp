@@ -57,7 +57,7 @@ int run(const ProgramOptions& options) {
   params.tell();
   if (store) restore(bus, node, *store);
   spdlog::info("ready: map version {}", node.mapper().map().version());
-  serve(bus, {[&node] { return node.news(); }, [&node] { node.settle(); },
+  serve(bus, {[&node] { return node.news(); }, [&bus, &node] { node.settle(bus.lacks(channel::kSweep.name)); },
               [&bus, &node] {
                 const map_state_t state = node.state();
                 bus.publish(channel::kMapState.name, encode(state), state.utime);

@@ -48,7 +48,7 @@ PlannerNode::PlannerNode(Bus& bus, const Robot& robot, StageListener* stages, Pa
 
 std::map<std::string, std::int64_t> PlannerNode::counters() const {
   return {
-      {"planner_bad_messages", bad_messages_},
+      {"planner_bad_messages", bad_messages_ + tiles_.bad_messages() + indices_.bad_messages()},
       {"planner_bad_pieces", static_cast<std::int64_t>(tiles_.counters().bad_pieces + indices_.counters().bad_pieces)},
       {"planner_bad_objects",
        static_cast<std::int64_t>(tiles_.counters().bad_objects + indices_.counters().bad_objects)},
@@ -70,21 +70,14 @@ void PlannerNode::take_pose(const BusMessage& message) {
 }
 
 void PlannerNode::take_tile(const BusMessage& message) {
-  try {
-    const std::optional<Object> object = tiles_.add(decode<piece_t>(message.bytes));
-    if (object) take_version(replica_.add_tile(decode<cost_tile_t>(object->bytes), object->digest));
-  } catch (const BadMessage&) {
-    ++bad_messages_;
-  }
+  tiles_.take(message.bytes, [this](const cost_tile_t& tile, const Object& object) {
+    take_version(replica_.add_tile(tile, object.digest));
+  });
 }
 
 void PlannerNode::take_index(const BusMessage& message) {
-  try {
-    const std::optional<Object> object = indices_.add(decode<piece_t>(message.bytes));
-    if (object) take_version(replica_.add_index(decode<cost_map_index_t>(object->bytes)));
-  } catch (const BadMessage&) {
-    ++bad_messages_;
-  }
+  indices_.take(message.bytes,
+                [this](const cost_map_index_t& index, const Object&) { take_version(replica_.add_index(index)); });
 }
 
 void PlannerNode::take_goal(const BusMessage& message) {

@@ -12,7 +12,7 @@
 #include "common/bus/bus.h"
 #include "common/bus/ordered_merge.h"
 #include "common/grid/cost_map.h"
-#include "common/messages/object_assembler.h"
+#include "common/messages/object_input.h"
 #include "common/progress/stages.h"
 #include "common/robot/robot.h"
 #include "modules/planner/core/planner.h"
@@ -78,8 +78,8 @@ class PlannerNode {
   planning::BodyMode body_;
   CostMap map_;
   PlanBasis basis_;
-  ObjectAssembler tiles_;
-  ObjectAssembler indices_;
+  ObjectInput<cost_tile_t> tiles_;
+  ObjectInput<cost_map_index_t> indices_;
   CostMapReplica replica_;
   OrderedMerge<Input> inputs_;
   std::optional<ProvisionalPlanner> provisional_;

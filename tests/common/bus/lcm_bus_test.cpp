@@ -102,6 +102,15 @@ TEST(LcmUrl, AsksForABufferUnlessTheUrlDoes) {
   EXPECT_EQ(with_receive_buffer("memq://", 4096), "memq://");
 }
 
+TEST(LcmUrl, ABufferThatIsTooSmallComesWithTheLineThatMendsIt) {
+  const std::string advice = receive_buffer_advice("udpm://239.255.76.67:7667?ttl=1", 212992);
+  EXPECT_NE(advice.find("208 kB"), std::string::npos) << advice;
+  EXPECT_NE(advice.find("sysctl -w net.core.rmem_max=8388608"), std::string::npos) << advice;
+  EXPECT_EQ(advice.find('\n'), std::string::npos);
+  EXPECT_EQ(receive_buffer_advice("udpm://239.255.76.67:7667", std::size_t{4} << 20), "");
+  EXPECT_EQ(receive_buffer_advice("tcpq://localhost:7700", 1000), "");
+}
+
 TEST(LcmUrl, TheBufferThatTheKernelGrantsIsAtMostWhatWasAsked) {
   EXPECT_LE(granted_receive_buffer(65536), 65536U);
   EXPECT_GT(granted_receive_buffer(65536), 4096U);

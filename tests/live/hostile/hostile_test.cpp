@@ -151,7 +151,7 @@ TEST_F(Hostile, ContradictionsBombsRequestsAndAnnouncementsChangeNothing) {
   expect_the_right_map();
   const auto& planner = processes_.health("planner");
   EXPECT_GT(planner.at("pieces_bad"), 1000);
-  EXPECT_GT(planner.at("objects_bad"), 100);
+  EXPECT_GT(planner.at("objects_bad"), 10);
   EXPECT_EQ(planner.at("pieces_received"), planner.at("pieces_kept") + planner.at("pieces_repeated") +
                                                planner.at("pieces_superseded") + planner.at("pieces_bad"));
   EXPECT_LT(most_, kMegabyte);
@@ -172,7 +172,7 @@ TEST_F(Hostile, AbsurdValuesEndNothing) {
     }
   }
   processes_.settle();
-  EXPECT_EQ(processes_.health("planner").at("bad_messages"), 0);
+  EXPECT_GT(processes_.health("planner").at("planner_bad_messages"), 0);
   EXPECT_LT(most_, 64 * kMegabyte);
   std::printf("%ld messages, the dearest allocated %zu kB\n", static_cast<long>(told_), most_ >> 10);
 }

@@ -14,12 +14,19 @@ constexpr auto kPatience = std::chrono::milliseconds(2000);
 constexpr int kQuietTurns = 60;
 constexpr SteadyTime kUntilHealth = 1'200'000;
 
+// What never becomes whole; a minute otherwise.
+LiveBusOptions soon_given_up() {
+  LiveBusOptions options;
+  options.receiver.give_up_after = 300'000;
+  return options;
+}
+
 }  // namespace
 
 Processes::Processes()
     : lcm_("memq://"),
-      mapper_bus_(lcm_, this_process("mapper")),
-      planner_bus_(lcm_, this_process("planner")),
+      mapper_bus_(lcm_, this_process("mapper"), soon_given_up()),
+      planner_bus_(lcm_, this_process("planner"), soon_given_up()),
       mapper_(mapper_bus_, Robot{}),
       planner_(planner_bus_, Robot{}, nullptr, PlannerNode::Pace::live) {
   lcm_.subscribe(channel::kHealth.name, [this](const BusMessage& message) {
@@ -55,12 +62,12 @@ void Processes::turn() {
 }
 
 void Processes::settle() {
-  for (int round = 0; round < 3; ++round) {
+  for (int round = 0; round < 3 || mapper_bus_.lacks(channel::kSweep.name); ++round) {
     for (int quiet = 0; quiet < kQuietTurns; ++quiet) {
       turn();
       if (dispatch()) quiet = 0;
     }
-    mapper_.settle();
+    mapper_.settle(mapper_bus_.lacks(channel::kSweep.name));
     const auto state = mapper_.state();
     mapper_bus_.publish(channel::kMapState.name, encode(state), state.utime);
     turn();

@@ -10,13 +10,13 @@ table netdev loss {
   counter OCTOMAP {}
   counter PIECE_REQUEST {}
   counter fragments {}
-  counter all {}
+  counter every_frame {}
   chain in {
     type filter hook ingress device "eth0" priority 0; policy accept;
     ether type ip numgen random mod 100000 < $(($1 * 1000)) jump lost
   }
   chain lost {
-    counter name all
+    counter name every_frame
     @th,128,64 0x434f53545f4d4150 counter name COST_MAP
     @th,128,64 0x434c4f55445f5449 counter name CLOUD_TILE
     @th,128,56 0x4f43544f4d4150 counter name OCTOMAP

@@ -75,6 +75,12 @@ class Healths {
   SteadyTime changed_ = steady_now();
 };
 
+/// At once, for scripts that wait for it.
+void say_when(const char* what) {
+  std::printf("SECONDS since 1970 when the cost map %s: %.3f\n", what, to_seconds(wall_clock()));
+  std::fflush(stdout);
+}
+
 int observe(const std::string& url, std::int64_t version, double seconds) {
   LcmBus lcm(url);
   LiveBus bus(lcm, this_process("observer"));
@@ -90,9 +96,11 @@ int observe(const std::string& url, std::int64_t version, double seconds) {
     return ready();
   };
   wait([&] { return products.begun(version); });
+  say_when("began");
   const SteadyTime begun = steady_now();
   wait([&] { return products.cost_map_complete(version); });
   const SteadyTime equal = steady_now();
+  say_when("whole");
   const bool complete = wait([&] { return products.complete(version); });
   std::printf("SECONDS from the first tile of the version to the whole cost map: %.2f\n", to_seconds(equal - begun));
   wait([&] { return healths.quiet(); });

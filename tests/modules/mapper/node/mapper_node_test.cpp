@@ -108,6 +108,22 @@ TEST_F(MapperNodeTest, InSilenceASweepIsClosedAsAtTheEndOfALog) {
   EXPECT_EQ(versions_, live);
 }
 
+TEST_F(MapperNodeTest, ASweepThatNeverBecomesWholeIsGivenUpOnceNobodyAsksForItAnyMore) {
+  MapperNode node(bus_, Robot{});
+  send_sweep(bus_, kStart, "a");
+  const auto lacking = cut(encode(to_message(room(kStart + 1, "b"))), "b", 1, kStart + 1);
+  bus_.publish(channel::kSweep.name, encode(lacking[0]), 0);
+  bus_.dispatch();
+  node.settle(true);
+  EXPECT_FALSE(node.state().settled);
+  EXPECT_EQ(node.counters().at("mapper_incomplete_sweeps"), 1);
+  node.settle(false);
+  EXPECT_TRUE(node.state().settled);
+  EXPECT_EQ(node.state().map_version, 1);
+  EXPECT_EQ(node.counters().at("mapper_given_up_sweeps"), 1);
+  EXPECT_NE(node.summary().find("1 sweeps never became whole"), std::string::npos) << node.summary();
+}
+
 TEST_F(MapperNodeTest, WithoutATrackerASweepIsClosedAndThatIsSaid) {
   MapperNode node(bus_, Robot{});
   send_sweep(bus_, kStart, "a");
