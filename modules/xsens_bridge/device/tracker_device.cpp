@@ -72,14 +72,21 @@ void TrackerDevice::talk(Utime now, int timeout_ms, TrackerNews& news) {
   for (const std::string& note : dialogue_->take_notes()) news.notes.push_back(address_.port + ": " + note);
   if (dialogue_->state() == Dialogue::State::failed) {
     give_up(address_.port + ": " + dialogue_->failure() + advice(), now, news);
-  } else if (address_.baud == 0 && dialogue_->counters().messages == 0 && now - opened_ > kBaudPatience) {
-    ++baud_index_;
+  } else if (now - opened_ > kBaudPatience && dialogue_->counters().messages == 0) {
+    doubt_baud(now, news);
+  }
+}
+
+/// Nothing that makes sense was heard for a while.
+void TrackerDevice::doubt_baud(Utime now, TrackerNews& news) {
+  if (address_.baud != 0) {
+    if (dialogue_->counters().bad_bytes == 0) return;  // It may still be starting.
+    give_up(address_.port + ": no tracker answers at " + std::to_string(address_.baud) + " baud" + advice(), now, news);
+  } else if (++baud_index_ % kBauds.size() == 0) {
     // All rates were tried: what was heard, if anything, is no tracker's.
-    if (baud_index_ % kBauds.size() == 0) {
-      give_up(address_.port + ": no tracker answers at any rate" + advice(), now, news);
-    } else {
-      close();  // And at once on to the next.
-    }
+    give_up(address_.port + ": no tracker answers at any rate" + advice(), now, news);
+  } else {
+    close();  // And at once on to the next.
   }
 }
 

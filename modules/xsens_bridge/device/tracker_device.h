@@ -58,6 +58,7 @@ class TrackerDevice {
   int next_baud();
   void open_if_due(Utime now);
   void talk(Utime now, int timeout_ms, TrackerNews& news);
+  void doubt_baud(Utime now, TrackerNews& news);
   void read(const DataMessage& data, TrackerNews& news);
   std::vector<Item> items_of(const Message& message) const;
   Utime time_of(const TrackerReading& reading, Utime arrival);

@@ -46,7 +46,10 @@ std::string XsensNode::summary() const {
   if (!device_.measuring() || !welcomed_) return device_.port() + ": no orientation yet";
   std::vector<std::string> sentences;
   if (!newest_.healthy()) {
-    sentences.push_back("the tracker's filter is not valid, or a sensor is at its limit: no orientation is passed on");
+    sentences.push_back(
+        fmt::format("the tracker's filter is not valid, or a sensor is at its limit: its orientation may "
+                    "be {:.0f} times as far off",
+                    kUnhealthyFactor));
   }
   if (!complaint_.empty()) sentences.push_back(complaint_);
   return fmt::format("{}", fmt::join(sentences, "; "));
@@ -87,11 +90,8 @@ void XsensNode::take(const TimedReading& timed) {
   number_ = number_ == 0 ? reading.packet_counter.value_or(1) : number_ + missing + 1;
   if (!reading.q_world_sensor) return;
   newest_ = reading;
-  if (!reading.healthy()) {
-    ++unhealthy_;
-    return;
-  }
   ++orientations_;
+  if (!reading.healthy()) ++unhealthy_;
   publish(timed, *reading.q_world_sensor);
 }
 
