@@ -29,6 +29,12 @@ bool is_core(const std::string& path) {
   return regex_search(path, kCore);
 }
 
+/// The devices of the bridges work without the bus.
+bool is_device(const std::string& path) {
+  static const std::regex kDevice("^modules/[^/]+/device/");
+  return regex_search(path, kDevice);
+}
+
 /// Folders of common/ whose every file keeps the rules of a core.
 bool is_pure(const std::string& path) {
   static const std::set<std::string> kPure = {"geometry", "random", "parallel", "robot"};
@@ -69,6 +75,7 @@ bool common_may_include(const std::string& path, const std::string& include) {
 bool may_include(const std::string& path, const std::string& include) {
   if (include.starts_with("tests/") && !path.starts_with("tests/")) return false;
   if (is_core(path)) return core_may_include(path, include);
+  if (is_device(path) && is_lcm(include)) return false;
   if (path.starts_with("common/")) return common_may_include(path, include);
   if (path.starts_with("modules/") && include.starts_with("modules/")) return module_may_include(path, include);
   return true;
