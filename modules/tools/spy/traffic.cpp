@@ -9,6 +9,9 @@ namespace {
 
 using Kind = Sighting::Kind;
 
+/// LCM sends to itself when it starts.
+constexpr std::string_view kSelfTest = "LCM_SELF_TEST";
+
 AssemblerLimits limits() {
   AssemblerLimits limits;
   limits.max_waiting_bytes = std::size_t{128} << 20;
@@ -41,6 +44,7 @@ ChannelTraffic* Traffic::channel(std::string_view name) {
 }
 
 void Traffic::take(const BusMessage& message, SteadyTime now) {
+  if (message.channel == kSelfTest) return;
   ChannelTraffic* const seen = channel(message.channel);
   if (seen == nullptr) {
     ++ignored_;
