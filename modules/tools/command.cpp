@@ -1,0 +1,152 @@
+#include "modules/tools/command.h"
+
+#include <chrono>
+#include <cstdio>
+#include <functional>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "common/bus/channels.h"
+#include "common/bus/lcm_bus.h"
+#include "common/bus/lcm_url.h"
+#include "common/clock/host_time.h"
+#include "common/clock/steady_time.h"
+#include "common/files/input_error.h"
+#include "common/files/printable.h"
+#include "common/math/angle.h"
+#include "common/messages/bad_message.h"
+#include "common/messages/codec.h"
+#include "scanway/health_t.hpp"
+#include "scanway/pan_tilt_command_t.hpp"
+#include "scanway/sweep_mark_t.hpp"
+
+namespace scanway::tools {
+namespace {
+
+constexpr int kRefused = 1;
+constexpr const char* kBridge = "schunk_bridge";
+constexpr SteadyTime kSayAgain = 200'000;
+/// The bridge is on HEALTH once a second.
+constexpr SteadyTime kPatience = 5'000'000;
+constexpr auto kWait = std::chrono::milliseconds(20);
+
+using Command = pan_tilt_command_t;
+
+Command message_of(const CommandOptions& options) {
+  static const std::map<std::string, std::int8_t> kCommands = {{"sweep", Command::SWEEP},
+                                                               {"move", Command::MOVE},
+                                                               {"turn", Command::VELOCITY},
+                                                               {"reference", Command::REFERENCE},
+                                                               {"stop", Command::STOP},
+                                                               {"fast-stop", Command::FAST_STOP},
+                                                               {"acknowledge", Command::ACKNOWLEDGE}};
+  const auto to_radians = [](const std::optional<double>& degrees) {
+    return degrees ? *degrees * radians(1.0L) : std::numeric_limits<double>::quiet_NaN();
+  };
+  Command message{};
+  message.utime = host_now();
+  message.command = kCommands.at(options.what);
+  message.pan_rad = to_radians(options.pan_deg);
+  message.tilt_rad = to_radians(options.tilt_deg);
+  message.pan_speed_rad_s = to_radians(options.pan_speed_deg_s);
+  message.tilt_speed_rad_s = to_radians(options.tilt_speed_deg_s);
+  return message;
+}
+
+/// What the bridge says.
+class Bridge {
+ public:
+  explicit Bridge(LcmBus& bus) : bus_(bus) {
+    hear<health_t>(channel::kHealth, [this](const health_t& message) {
+      if (message.process_name != kBridge) return;
+      health_ = message;
+      heard_ = steady_now();
+    });
+    hear<sweep_mark_t>(channel::kSweepMark, [this](const sweep_mark_t& mark) {
+      marks_[{mark.numbered_since, mark.sweep}] = mark;
+    });
+  }
+
+  void listen() {
+    bus_.dispatch(kWait);
+    if (steady_now() - heard_ <= kPatience) return;
+    throw InputError("no scanway-schunk is heard on this bus: start it, or name its bus by --lcm-url");
+  }
+  std::int64_t counter(const std::string& name) const {
+    for (const counter_t& counter : health_.counters) {
+      if (counter.counter_name == "schunk_" + name) return counter.count;
+    }
+    return -1;
+  }
+  const std::string& summary() const { return health_.summary; }
+  /// The newest mark of that sweep, if there is one.
+  std::optional<sweep_mark_t> mark_of(std::int64_t sweep) const {
+    const auto found = marks_.find({health_.start_utime, sweep});
+    return found == marks_.end() ? std::nullopt : std::optional(found->second);
+  }
+
+ private:
+  template <class T>
+  void hear(const Channel& channel, const std::function<void(const T&)>& take) {
+    bus_.subscribe(channel.name, [take](const BusMessage& message) {
+      try {
+        take(decode<T>(message.bytes));
+      } catch (const BadMessage&) {
+        // Of another version, or no message at all: as if it had not come.
+      }
+    });
+  }
+
+  LcmBus& bus_;
+  health_t health_{};
+  SteadyTime heard_ = steady_now();
+  std::map<std::pair<Utime, std::int64_t>, sweep_mark_t> marks_;
+};
+
+int follow_sweep(Bridge& bridge) {
+  const std::int64_t sweep = bridge.counter("sweep");
+  bool begun = false;
+  for (;; bridge.listen()) {
+    const auto mark = bridge.mark_of(sweep);
+    if (!mark) continue;
+    if (!begun && mark->mark != sweep_mark_t::ABORTED) {
+      const double seconds = mark->sweep_angle_rad / mark->pan_speed_rad_s;
+      std::puts(fmt::format("sweep {} has begun; it takes {:.0f} s", sweep, seconds).c_str());
+      std::fflush(stdout);
+      begun = true;
+    }
+    if (mark->mark == sweep_mark_t::ENDED) {
+      std::puts(fmt::format("sweep {} has ended", sweep).c_str());
+      return 0;
+    }
+    if (mark->mark == sweep_mark_t::ABORTED) {
+      std::puts(fmt::format("sweep {} was given up: {}", sweep, printable(mark->reason)).c_str());
+      return kRefused;
+    }
+  }
+}
+
+}  // namespace
+
+int run_command(const CommandOptions& options) {
+  const Command message = message_of(options);
+  LcmBus bus(lcm_url(options.lcm_url));
+  Bridge bridge(bus);
+  for (SteadyTime again = 0; bridge.counter("last_command") != message.utime; bridge.listen()) {
+    if (steady_now() < again) continue;
+    bus.publish(channel::kPanTiltCommand.name, encode(message), 0);
+    again = steady_now() + kSayAgain;
+  }
+  if (bridge.counter("last_command_refused") != 0) {
+    std::puts(printable(bridge.summary()).c_str());
+    return kRefused;
+  }
+  if (message.command == Command::SWEEP) return follow_sweep(bridge);
+  std::puts("taken");
+  return 0;
+}
+
+}  // namespace scanway::tools
