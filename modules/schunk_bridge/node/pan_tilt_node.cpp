@@ -75,7 +75,8 @@ bool PanTiltNode::is_repetition(const Command& command) const {
   return command.utime == last_command_.utime && command.command == last_command_.command && commands_ > 0;
 }
 
-void PanTiltNode::obey(Utime now) {
+bool PanTiltNode::obey(Utime now) {
+  const std::int64_t before = commands_;
   for (const Command& command : std::exchange(waiting_, {})) {
     if (is_repetition(command)) continue;
     ++commands_;
@@ -90,6 +91,7 @@ void PanTiltNode::obey(Utime now) {
     last_refusal_ = name_of(command.command) + " refused: " + last_refusal_;
     spdlog::warn("{}", last_refusal_);
   }
+  return commands_ != before;
 }
 
 std::string PanTiltNode::carry_out(const Command& command, Utime now) {
@@ -229,6 +231,7 @@ std::map<std::string, std::int64_t> PanTiltNode::counters() const {
           {"schunk_bad_frames", sum(&AxisCounters::bad_frames)},
           {"schunk_times_lost", sum(&AxisCounters::times_lost)},
           {"schunk_errors", errors_},
+          {"schunk_sweep", pan_tilt_.sweep().number()},
           {"schunk_sweeps_ended", sweeps_ended_},
           {"schunk_sweeps_aborted", sweeps_aborted_}};
 }

@@ -18,8 +18,8 @@ class PanTiltNode {
   /// Both must outlive this. `started`: when the numbering of the sweeps begins.
   PanTiltNode(Bus& bus, PanTilt& pan_tilt, Utime started);
 
-  /// Carries out what was commanded since the last time.
-  void obey(Utime now);
+  /// Carries out what was commanded since the last time. Returns whether anything was.
+  bool obey(Utime now);
   /// Publishes where the axes were and what happened since the last time.
   void tell(Utime now);
   /// Stops what moves. Returns false when nothing does.

@@ -90,7 +90,7 @@ int run(const BridgeOptions& bridge, const Options& options) {
   spdlog::info("ready");
 
   const auto turn = [&](int timeout_ms) {
-    node.obey(host_now());
+    if (node.obey(host_now())) report(bus, driver, node);
     driver.step(std::min(timeout_ms, kLongestTurnMs));
     for (const std::string& line : driver.take_troubles()) spdlog::warn("{}", line);
     node.tell(host_now());

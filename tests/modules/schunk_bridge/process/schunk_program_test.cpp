@@ -232,6 +232,32 @@ TEST_P(OnTheBus, ABusThatIsNotThereComesBackByItself) {
   EXPECT_EQ(counter("error_frames"), 1);
 }
 
+TEST_P(OnAnyBus, AnOperatorCommandsFromATerminal) {
+  const auto command = [](std::vector<std::string> words) {
+    words.insert(words.begin(), {std::string(SCANWAY_BIN_DIR) + "/scanway", "command", "--lcm-url", kUrl});
+    return run_command(words);
+  };
+  EXPECT_EQ(command({"dance"}).status, 2);
+  start();
+  ASSERT_TRUE(get_ready()) << read_text(err);
+  const auto swept = command({"sweep", "--pan-speed-deg-s", "110"});
+  EXPECT_EQ(swept.status, 0) << swept.err;
+  EXPECT_EQ(swept.out, "sweep 1 has begun; it takes 1 s\nsweep 1 has ended\n");
+  EXPECT_EQ(command({"stop"}).out, "taken\n");
+  EXPECT_TRUE(moves(false));
+  const auto refused = command({"move", "--pan-deg", "1000"});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_NE(refused.out.find("pan cannot go to 1000.00 deg"), std::string::npos) << refused.out;
+  responder->with([](TestModule& pan, TestModule&) { pan.refuses_moves = true; });
+  const auto given_up = command({"sweep"});
+  EXPECT_EQ(given_up.status, 1);
+  EXPECT_NE(given_up.out.find("sweep 2 was given up: "), std::string::npos) << given_up.out << given_up.err;
+  program->end();
+  const auto nobody = command({"stop"});
+  EXPECT_EQ(nobody.status, 2);
+  EXPECT_NE(nobody.err.find("no scanway-schunk is heard"), std::string::npos) << nobody.err;
+}
+
 TEST_P(OnAnyBus, ProbeNeedsNoLcm) {
   ASSERT_TRUE(peer.listen_until([&] { return is_there(can); }));
   const auto found = run_command({kProgram, "--probe", "--can", can, "--lcm-url", "nonsense"});
