@@ -130,7 +130,21 @@ void Base::search(Utime now) {
            : "the base does not answer at 38400 or 115200 baud: check its power, the cable and the port");
 }
 
+void Base::watch_clock(Utime now) {
+  if (now < ticked_) {
+    // Measured by it, a velocity would hold for however long the clock was set back.
+    since_ = now;
+    heard_ = now;
+    asked_.reset();
+    sent_.reset();
+    drive_.clock_was_set(now);
+    tell(BaseEvent::Kind::text, now, "the clock was set back: the base is stopped");
+  }
+  ticked_ = now;
+}
+
 void Base::tick(Utime now) {
+  watch_clock(now);
   if (!since_) since_ = now;
   if (phase_ != Phase::searching && now - heard_ > config_.silence) {
     ++counters_.times_lost;

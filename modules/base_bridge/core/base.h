@@ -79,6 +79,7 @@ class Base {
   void take_motors(const MotorReport& report, Utime now);
   void search(Utime now);
   void open(Utime now);
+  void watch_clock(Utime now);
   void tell(BaseEvent::Kind kind, Utime now, std::string text);
 
   BaseConfig config_;
@@ -90,6 +91,7 @@ class Base {
   std::optional<Utime> since_;  // Of the present phase; while searching, of the present baud rate.
   std::optional<Utime> asked_, sent_;
   Utime heard_ = 0;  // The last whole packet.
+  Utime ticked_ = 0;
   std::uint64_t bytes_while_searching_ = 0;
   bool told_absence_ = false, has_pose_ = false, stalled_ = false;
   int bauds_tried_ = 0;

@@ -47,6 +47,12 @@ void Drive::reset() {
   valid_ = changed_ = motors_on_ = false;
 }
 
+void Drive::clock_was_set(Utime now) {
+  halt(now);
+  commanded_ = now - config_.motors_off_after;
+  pulse_sent_ = now;
+}
+
 bool Drive::tick(Utime now) {
   const bool ran_out = valid_ && now - commanded_ >= config_.lifetime;
   if (ran_out) halt(now);

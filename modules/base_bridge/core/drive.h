@@ -32,6 +32,8 @@ class Drive {
   void shut_down(Utime now);
   /// The robot is known to stand without power.
   void reset();
+  /// The clock has been set back: what was commanded before it has run out.
+  void clock_was_set(Utime now);
   /// Returns true when a command has just run out.
   bool tick(Utime now);
 

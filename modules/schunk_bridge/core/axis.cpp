@@ -41,6 +41,12 @@ void Axis::receive(const CanFrame& frame, Utime now) {
 
 void Axis::frames_lost() { counters_.bad_frames += assembler_.give_up("frames were lost").size(); }
 
+void Axis::clock_was_set(Utime now) {
+  since_ = error_utime_ = now;
+  asked_last_.reset();
+  if (state_) state_->utime = now;
+}
+
 void Axis::tick(Utime now) {
   if (!since_) since_ = now;
   if (const auto asked = conversation_.given_up(now)) take_silence(*asked, now);

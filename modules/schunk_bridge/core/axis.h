@@ -58,6 +58,8 @@ class Axis {
   void tick(Utime now);
   std::optional<CanFrame> next_frame(Utime now) { return conversation_.next_frame(now); }
   bool urgent() const { return conversation_.urgent(); }
+  /// The clock has been set back: what was measured by it counts from now. After a stop.
+  void clock_was_set(Utime now);
   /// The interface dropped frames: what was put together of fragments is not to be trusted.
   void frames_lost();
 

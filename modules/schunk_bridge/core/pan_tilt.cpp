@@ -26,7 +26,18 @@ void PanTilt::receive(const CanFrame& frame, Utime now) {
   tilt_.receive(frame, now);
 }
 
+void PanTilt::watch_clock(Utime now) {
+  if (now < ticked_) {
+    // Measured by it, everything under way would take however long it was set back.
+    stop(now);
+    pan_.clock_was_set(now);
+    tilt_.clock_was_set(now);
+  }
+  ticked_ = now;
+}
+
 void PanTilt::tick(Utime now) {
+  watch_clock(now);
   pan_.tick(now);
   tilt_.tick(now);
   if (reference_pan_next_ && !tilt_.motion().under_way()) {

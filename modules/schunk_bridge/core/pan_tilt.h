@@ -58,6 +58,7 @@ class PanTilt {
   std::vector<Event> take_events();
 
  private:
+  void watch_clock(Utime now);
   bool busy() const { return sweep_.active(); }
 
   Axis pan_, tilt_;
@@ -65,6 +66,7 @@ class PanTilt {
   bool reference_pan_next_ = false;
   bool pan_turn_ = true;
   std::optional<Utime> sent_;
+  Utime ticked_ = 0;
 };
 
 }  // namespace scanway::schunk

@@ -38,7 +38,7 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--tilt-id", options.tilt_id, "Id of the tilt's module")
       ->check(CLI::Range(1, 255))
       ->capture_default_str();
-  app.add_option("--tilt-deg", options.tilt_deg, "Tilt that sweeps hold")->check(CLI::Range(-120, 120));
+  app.add_option("--tilt-deg", options.tilt_deg, "Tilt that sweeps hold")->check(CLI::Range(-120.0, 120.0));
   app.add_flag("--position-only", options.position_only, "Ask for states without velocity: one frame instead of two");
 }
 

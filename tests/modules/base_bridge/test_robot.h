@@ -43,6 +43,9 @@ class TestRobot {
     return packet(motor_payload());
   }
 
+  /// The clock that it is told has been set.
+  void report_now(std::int64_t now) { next_ = now; }
+
   void reboot() {
     open_ = motors_on = false;
     x_mm = y_mm = heading = 0;

@@ -89,6 +89,23 @@ TEST(BaseNode, ACommandRunsOut) {
   EXPECT_EQ(bench.node.summary(bench.now), "");
 }
 
+TEST(BaseNode, AClockThatIsSetBackStopsTheRobot) {
+  Bench bench;
+  bench.run(0.5);
+  bench.drive(0.4, 0.3, 0.5);
+  ASSERT_EQ(bench.robot.speed_mm_s, 400);
+  bench.now -= 500'000'000;
+  bench.robot.report_now(bench.now);
+  bench.run(0.1);
+  EXPECT_EQ(bench.robot.speed_mm_s, 0);
+  EXPECT_EQ(bench.robot.turn_deg_s, 0);
+  EXPECT_FALSE(bench.robot.motors_on);
+  bench.drive(0.4, 0.3, 0.5);
+  EXPECT_EQ(bench.robot.speed_mm_s, 400);
+  bench.run(0.3);
+  EXPECT_FALSE(bench.robot.motors_on);
+}
+
 TEST(BaseNode, OnlyTheNewestCommandCounts) {
   Bench bench;
   bench.run(0.5);

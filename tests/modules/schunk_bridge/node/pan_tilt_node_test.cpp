@@ -320,6 +320,22 @@ TEST(PanTiltNode, StopsWhatMovesWhenItEnds) {
   EXPECT_EQ(bench.marks.back().mark, sweep_mark_t::ABORTED);
 }
 
+TEST(PanTiltNode, AClockThatIsSetBackStopsThePanAndNothingElse) {
+  Bench bench;
+  bench.say(sweep_at(30));
+  ASSERT_TRUE(bench.marked(sweep_mark_t::STARTED));
+  bench.run(1);
+  bench.now -= 500'000'000;
+  for (TestModule* module : {&bench.pan, &bench.tilt}) module->clock_was_set(bench.now);
+  bench.run(0.1);
+  EXPECT_FALSE(bench.pan.moving());
+  EXPECT_EQ(bench.marks.back().mark, sweep_mark_t::ABORTED);
+  EXPECT_EQ(bench.node.summary(bench.now), "");
+  bench.say(sweep_at(30));
+  EXPECT_TRUE(bench.marked(sweep_mark_t::ENDED));
+  EXPECT_EQ(bench.counter("times_lost"), 0);
+}
+
 TEST(PanTiltNode, WhatSomebodyElseMovesIsNotMovedBeforeItStands) {
   Bench bench;
   // MOVE VEL 30 by another master.

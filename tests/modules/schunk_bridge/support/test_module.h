@@ -27,6 +27,8 @@ class TestModule {
   // What befalls it.
   std::vector<TestFrame> reboot(std::int64_t now);
   std::vector<TestFrame> fail(std::uint8_t error);
+  /// The clock that it is told, that is.
+  void clock_was_set(std::int64_t now) { next_state_ = last_ = now; }
   bool powered = true;   ///< Without power it neither hears nor says anything.
   bool stuck = false;    ///< It says that it moves, and does not.
   bool blocked = false;  ///< It stops at once.
