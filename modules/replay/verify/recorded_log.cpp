@@ -103,8 +103,23 @@ std::vector<RecordedName> RecordedLog::products_at(Utime sweep) const {
 
 std::set<Utime> RecordedLog::sweeps() const {
   std::set<Utime> sweeps;
-  for (const auto& [sweep, products] : products_) sweeps.insert(sweep);
+  const auto is_good = [&](const RecordedName& name) {
+    const auto object = objects_.find(name);
+    return object == objects_.end() || object->second.fault().empty();
+  };
+  for (const auto& [sweep, products] : products_) {
+    if (std::ranges::any_of(products, is_good)) sweeps.insert(sweep);
+  }
   return sweeps;
+}
+
+std::string RecordedLog::first_fault() const {
+  for (const auto& [name, object] : objects_) {
+    if (!is_mapper_product(name.channel) || object.fault().empty()) continue;
+    return fmt::format("{}: {}; digest {} in the log", text_of(name), object.fault(),
+                       hex(static_cast<std::uint64_t>(name.digest)));
+  }
+  return {};
 }
 
 bool RecordedLog::holds_derived() const { return !products_.empty() || !objects_of(channel::kPath).empty(); }

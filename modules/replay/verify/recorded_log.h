@@ -45,8 +45,10 @@ class RecordedLog {
 
   /// What the mapper derived of the sweep of that time.
   std::vector<RecordedName> products_at(Utime sweep) const;
-  /// The times of all sweeps that the mapper derived something of.
+  /// The times of all sweeps that the mapper derived something of, as what is not altered says.
   std::set<Utime> sweeps() const;
+  /// The first product of the mapper that is not what was sent, and why; empty: there is none.
+  std::string first_fault() const;
   /// Whether mapper or planner derived anything that is compared.
   bool holds_derived() const;
 

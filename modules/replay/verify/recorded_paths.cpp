@@ -48,7 +48,7 @@ RecordedPaths::RecordedPaths(const RecordedLog& log) {
       continue;
     }
     if (!object.whole()) {
-      not_whole_.push_back(text_of(name) + ": lacks " + object.lacking());
+      notes_.push_back("not compared: " + text_of(name) + ": lacks " + object.lacking());
       continue;
     }
     Recorded recorded{name, decode<path_t>(object.bytes().value()), {}, 0, false};
@@ -60,6 +60,18 @@ RecordedPaths::RecordedPaths(const RecordedLog& log) {
                                      path.utime, text_of(name)));
     }
     paths_.push_back(std::move(recorded));
+  }
+  note_versions();
+}
+
+// A plan's version is its time, or the one after that of the plan before (PathVersions).
+void RecordedPaths::note_versions() {
+  for (const Recorded& one : paths_) {
+    const auto is_before = [&](const Recorded& other) {
+      return other.name.key == one.name.key && other.name.version + 1 == one.name.version;
+    };
+    if (one.name.version == one.path.utime || std::ranges::any_of(paths_, is_before)) continue;
+    notes_.push_back(text_of(one.name) + ": the log lacks the plan before, whose version it follows");
   }
 }
 

@@ -26,8 +26,8 @@ class RecordedPaths {
   std::string compare_starts(const std::vector<Start>& poses) const;
   /// Goals that are not in the log.
   const std::vector<std::string>& missing() const { return missing_; }
-  /// Plans that are not whole in the log, so that nobody knows what they rest on.
-  const std::vector<std::string>& not_whole() const { return not_whole_; }
+  /// Plans that are not whole, so that nobody knows what they rest on, and versions that nothing explains.
+  const std::vector<std::string>& notes() const { return notes_; }
   std::size_t compared() const { return compared_; }
   std::size_t size() const { return paths_.size(); }
 
@@ -40,12 +40,13 @@ class RecordedPaths {
     bool compared = false;
   };
 
+  void note_versions();
   std::string difference(const Recorded& recorded, const Robot& robot, const CostMap& map,
                          const ClosedVersion& version) const;
 
   std::vector<Recorded> paths_;
   std::vector<std::string> missing_;
-  std::vector<std::string> not_whole_;
+  std::vector<std::string> notes_;
   std::string fault_;
   std::size_t compared_ = 0;
 };

@@ -8,6 +8,10 @@
 #include "common/files/printable.h"
 #include "common/messages/codec.h"
 #include "common/messages/digest.h"
+#include "scanway/cloud_tile_t.hpp"
+#include "scanway/cost_map_index_t.hpp"
+#include "scanway/cost_tile_t.hpp"
+#include "scanway/octomap_t.hpp"
 #include "scanway/sweep_t.hpp"
 
 namespace scanway {
@@ -72,13 +76,18 @@ std::string contradiction(const sweep_inputs_t& listed, const RecordedObject& ob
                      printable(listed.sweep_name), listed.utime, printable(sweep.name), sweep.utime);
 }
 
-/// The version of the map that the sweep made, as its products say; 0 if none is there.
+/// The version of the map that the sweep made, as a product of it says that is whole; 0 if there is none.
 std::int64_t map_version_at(const RecordedLog& log, Utime sweep) {
-  std::int64_t version = 0;
   for (const RecordedName& name : log.products_at(sweep)) {
-    if (!name.key.empty()) version = std::max(version, name.version);
+    const auto object = log.objects().find(name);
+    if (object == log.objects().end() || !object->second.whole() || !object->second.fault().empty()) continue;
+    const auto bytes = object->second.bytes().value();
+    if (name.channel == channel::kCostMapTile.name) return decode<cost_tile_t>(bytes).map_version;
+    if (name.channel == channel::kCostMapIndex.name) return decode<cost_map_index_t>(bytes).map_version;
+    if (name.channel == channel::kCloudTile.name) return decode<cloud_tile_t>(bytes).map_version;
+    if (name.channel == channel::kOctomap.name) return decode<octomap_t>(bytes).map_version;
   }
-  return version;
+  return 0;
 }
 
 void find_what_is_not_listed(const RecordedLog& log, SweepList& list) {

@@ -67,13 +67,14 @@ class Verifier {
     if (result_.holds_derived) configure(path, robot);
     const auto add = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
     add(result_.missing, paths_.missing());
-    for (const std::string& path_text : paths_.not_whole()) result_.notes.push_back("not compared: " + path_text);
+    add(result_.notes, paths_.notes());
   }
 
   Verification run(const std::function<void(double)>& progress) {
     result_.difference = list_.difference;
     if (result_.holds_derived && configured_) compute(progress);
     result_.products += paths_.compared();
+    if (result_.difference.empty()) result_.difference = log_.first_fault();
     if (result_.difference.empty() && !log_.bad_messages().empty()) result_.difference = log_.bad_messages().front();
     return std::move(result_);
   }
