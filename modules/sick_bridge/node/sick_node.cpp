@@ -19,6 +19,13 @@ constexpr unsigned kStateReady = 1;  // Of SCdevicestate; 0, busy, is said while
 
 std::int64_t count(std::uint64_t value) { return static_cast<std::int64_t>(value); }
 
+std::string welcome_of(const LmsDevice& device) {
+  const DeviceInfo& info = device.dialogue()->info();
+  const auto dialect = device.dialogue()->dialect();
+  return fmt::format("{}: {} {} sends scans ({})", device.name(), info.model.empty() ? "the scanner" : info.model,
+                     info.firmware, dialect ? name_of(*dialect) : "?");
+}
+
 }  // namespace
 
 SickNode::SickNode(Bus& bus, LmsDevice& device, Utime numbered_since, const SickOptions& options)
@@ -30,7 +37,7 @@ std::vector<std::string> SickNode::run(int timeout_ms) {
   LmsNews news = device_.run(timeout_ms);
   if (device_.connections() != connection_) {
     connection_ = device_.connections();
-    welcomed_ = false;
+    works_ = false;
     complaint_.clear();
   }
   if (!news.notes.empty()) complaint_ = news.notes.back();
@@ -39,15 +46,14 @@ std::vector<std::string> SickNode::run(int timeout_ms) {
   }
   for (const TimedScan& timed : news.scans) publish(timed);
   archive_.pump(steady_now(), [this](const auto& message) { bus_.publish(channel::kLaserLine.name, message, 0); });
-  if (!news.scans.empty() && device_.dialogue() != nullptr && !std::exchange(welcomed_, true)) {
-    news.notes.push_back(welcome());
-  }
   return std::move(news.notes);
 }
 
+std::string SickNode::take_welcome() { return std::exchange(welcome_, {}); }
+
 std::string SickNode::summary() const {
   if (!device_.trouble().empty()) return device_.trouble();
-  if (!device_.measuring() || device_.counters().scans == 0) return device_.name() + ": no scans yet";
+  if (!works_ || device_.dialogue() == nullptr) return device_.name() + ": no scans yet";
   std::vector<std::string> sentences;
   if (device_status_ != 0) sentences.push_back("the scanner reports " + device_status_text(device_status_));
   const DeviceInfo& info = device_.dialogue()->info();
@@ -89,6 +95,8 @@ std::map<std::string, std::int64_t> SickNode::counters() const {
 
 void SickNode::take_request(const BusMessage& message) {
   try {
+    // Of one frame, so that one request can make this process do only so much.
+    if (message.bytes.size() > kMaxLineBytes) throw BadMessage("longer than one frame");
     const auto request = decode<line_request_t>(message.bytes);
     ++requests_;
     if (request.numbered_since != numbered_since_) {
@@ -106,6 +114,7 @@ void SickNode::take_request(const BusMessage& message) {
 
 void SickNode::publish(const TimedScan& timed) {
   device_status_ = timed.scan.device_status;
+  if (device_.dialogue() != nullptr && !std::exchange(works_, true)) welcome_ = welcome_of(device_);
   publish_line(timed);
   if (!options_.laser_scan) return;
   bus_.publish(channel::kLaserScan.name, encode(lidar_message(timed.scan, timed.utime)), timed.utime);
@@ -132,13 +141,6 @@ void SickNode::publish_raw(const std::vector<std::uint8_t>& frame) {
   message.length = static_cast<std::int32_t>(frame.size());
   message.data = frame;
   bus_.publish(channel::kLaserRaw.name, encode(message), message.utime);
-}
-
-std::string SickNode::welcome() const {
-  const DeviceInfo& info = device_.dialogue()->info();
-  const auto dialect = device_.dialogue()->dialect();
-  return fmt::format("{}: {} {} sends scans ({})", device_.name(), info.model.empty() ? "the scanner" : info.model,
-                     info.firmware, dialect ? name_of(*dialect) : "?");
 }
 
 }  // namespace scanway::sick

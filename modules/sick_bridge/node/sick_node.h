@@ -24,8 +24,10 @@ class SickNode {
   SickNode(Bus& bus, LmsDevice& device, Utime numbered_since, const SickOptions& options = {});
 
   /// Waits at most `timeout_ms` for the scanner and publishes what came; sends again what was asked for. Returns what
-  /// a person should know, a line each.
+  /// is wrong and was not said yet, a line each.
   std::vector<std::string> run(int timeout_ms);
+  /// What the scanner is, once a connection when its first scan came; else empty.
+  std::string take_welcome();
 
   /// What people should know now, in one line; empty: all is well.
   std::string summary() const;
@@ -37,7 +39,6 @@ class SickNode {
   void publish(const TimedScan& timed);
   void publish_line(const TimedScan& timed);
   void publish_raw(const std::vector<std::uint8_t>& frame);
-  std::string welcome() const;
 
   Bus& bus_;
   LmsDevice& device_;
@@ -52,7 +53,8 @@ class SickNode {
   std::int64_t other_numberings_ = 0;
   std::uint16_t device_status_ = 0;  // Of the newest scan.
   std::int64_t connection_ = 0;
-  bool welcomed_ = false;  // The first scan of this connection was told.
+  bool works_ = false;  // A scan came over this connection.
+  std::string welcome_;
   std::string complaint_;  // The last one of this connection.
 };
 

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "common/bus/lcm_url.h"
+#include "common/files/printable.h"
 #include "common/process/bridge.h"
 #include "modules/sick_bridge/device/probe.h"
 #include "modules/sick_bridge/node/lms_options.h"
@@ -59,10 +60,12 @@ int run(const BridgeOptions& bridge, Options& options) {
   bus.start();
   bus.refuse_twins(kListenForTwins);
   spdlog::info("ready: {}", device.name());
-  serve_device(bus, {[&node](int wait_ms) {
-                       for (const std::string& note : node.run(wait_ms)) spdlog::info("{}", note);
-                     },
-                     [&bus, &node] { bus.report(node.counters(), node.summary()); }});
+  const auto turn = [&node](int wait_ms) {
+    for (const std::string& trouble : node.run(wait_ms)) spdlog::warn("{}", printable(trouble));
+    if (const std::string welcome = node.take_welcome(); !welcome.empty()) spdlog::info("{}", printable(welcome));
+  };
+  serve_device(bus, {turn, [&bus, &node] { bus.report(node.counters(), node.summary()); }});
+  spdlog::info("ended");
   return 0;
 }
 

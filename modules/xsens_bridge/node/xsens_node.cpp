@@ -24,6 +24,13 @@ void put(const std::optional<Eigen::Vector3d>& v_sensor, const Eigen::Quaternion
   for (int i = 0; i < 3; ++i) v[i] = v_base[i];
 }
 
+std::string welcome_of(const TrackerDevice& device) {
+  const TrackerInfo& info = device.dialogue()->info();
+  return fmt::format("{}: {} measures ({}, {} baud)", device.port(),
+                     info.product_code.empty() ? "the tracker" : info.product_code, info.legacy ? "MTData" : "MTData2",
+                     device.baud());
+}
+
 }  // namespace
 
 TrackerAccuracy accuracy_of(const Robot::Tracker& tracker) { return {tracker.tilt_sigma, tracker.heading_sigma}; }
@@ -35,15 +42,15 @@ std::vector<std::string> XsensNode::run(int timeout_ms) {
   TrackerNews news = device_.run(timeout_ms);
   notice_restart();
   if (!news.notes.empty()) complaint_ = news.notes.back();
-  const std::int64_t before = orientations_;
   for (const TimedReading& timed : news.readings) take(timed);
-  if (orientations_ > before && !std::exchange(welcomed_, true)) news.notes.push_back(welcome());
   return std::move(news.notes);
 }
 
+std::string XsensNode::take_welcome() { return std::exchange(welcome_, {}); }
+
 std::string XsensNode::summary() const {
   if (!device_.trouble().empty()) return device_.trouble();
-  if (!device_.measuring() || !welcomed_) return device_.port() + ": no orientation yet";
+  if (!device_.measuring() || !works_) return device_.port() + ": no orientation yet";
   std::vector<std::string> sentences;
   if (!newest_.healthy()) {
     sentences.push_back(
@@ -79,7 +86,7 @@ void XsensNode::notice_restart() {
   if (starts == starts_) return;
   starts_ = starts;
   gap_.restart();
-  welcomed_ = false;
+  works_ = false;
   complaint_.clear();
 }
 
@@ -91,6 +98,7 @@ void XsensNode::take(const TimedReading& timed) {
   if (!reading.q_world_sensor) return;
   newest_ = reading;
   ++orientations_;
+  if (device_.dialogue() != nullptr && !std::exchange(works_, true)) welcome_ = welcome_of(device_);
   if (!reading.healthy()) ++unhealthy_;
   publish(timed, *reading.q_world_sensor);
 }
@@ -103,13 +111,6 @@ void XsensNode::publish(const TimedReading& timed, const Eigen::Quaterniond& q_w
   put(timed.reading.acceleration, q_base_sensor_, message.accel);
   message.pressure = timed.reading.pressure_pa.value_or(std::numeric_limits<double>::quiet_NaN());
   bus_.publish(channel::kImu.name, encode(message), timed.utime);
-}
-
-std::string XsensNode::welcome() const {
-  const TrackerInfo& info = device_.dialogue()->info();
-  return fmt::format("{}: {} measures ({}, {} baud)", device_.port(),
-                     info.product_code.empty() ? "the tracker" : info.product_code, info.legacy ? "MTData" : "MTData2",
-                     device_.baud());
 }
 
 }  // namespace scanway::xsens

@@ -23,9 +23,11 @@ class XsensNode {
   /// `bus` and `device` must outlive this.
   XsensNode(Bus& bus, TrackerDevice& device, const Robot::Tracker& tracker);
 
-  /// Waits at most `timeout_ms` for the tracker and publishes what came. Returns what a person should know, a line
-  /// each.
+  /// Waits at most `timeout_ms` for the tracker and publishes what came. Returns what is wrong and was not said yet,
+  /// a line each.
   std::vector<std::string> run(int timeout_ms);
+  /// What the tracker is, once it is set up when its first orientation came; else empty.
+  std::string take_welcome();
 
   /// What people should know now, in one line; empty: all is well.
   std::string summary() const;
@@ -36,7 +38,6 @@ class XsensNode {
   void notice_restart();
   void take(const TimedReading& timed);
   void publish(const TimedReading& timed, const Eigen::Quaterniond& q_world_sensor);
-  std::string welcome() const;
 
   Bus& bus_;
   TrackerDevice& device_;
@@ -48,7 +49,8 @@ class XsensNode {
   std::int64_t unhealthy_ = 0;
   TrackerReading newest_;  // That holds an orientation.
   std::int64_t starts_ = 0;
-  bool welcomed_ = false;  // The first orientation since the tracker was set up was told.
+  bool works_ = false;  // An orientation came since the tracker was set up.
+  std::string welcome_;
   std::string complaint_;  // The last one since then.
 };
 

@@ -9,6 +9,7 @@
 #include "bot_core/raw_t.hpp"
 #include "common/bus/channels.h"
 #include "common/bus/memory_bus.h"
+#include "common/clock/host_time.h"
 #include "scanway/line_request_t.hpp"
 #include "tests/modules/sick_bridge/loopback_server.h"
 #include "tests/modules/sick_bridge/scripted_lms.h"
@@ -46,6 +47,7 @@ class Bridge {
   /// One turn of the bridge alone.
   void turn() {
     for (std::string& note : node_.run(1)) notes.push_back(std::move(note));
+    if (std::string note = node_.take_welcome(); !note.empty()) notes.push_back(std::move(note));
     bus_.dispatch();
   }
   bool run_until_lines(std::int64_t more) {
@@ -171,6 +173,15 @@ TEST_F(RecordedDevice, HostileRequestsAreCounted) {
   bridge.bus().publish(channel::kLineRequest.name, Messages{{1, 2, 3}}[0], 0);
   bridge.bus().dispatch();
   EXPECT_EQ(bridge.counter("sick_bad_requests"), 1);
+  line_request_t request{};
+  request.numbered_since = kSince;
+  request.first_line.assign(100, 0);
+  request.end_line.assign(100, 1);
+  request.nranges = 100;
+  bridge.bus().publish(channel::kLineRequest.name, encode(request), 0);
+  bridge.bus().dispatch();
+  EXPECT_EQ(bridge.counter("sick_bad_requests"), 2);
+  EXPECT_EQ(bridge.counter("sick_requests"), 0);
 }
 
 TEST_F(RecordedDevice, UnpluggedAndBackItGoesOnNumbering) {
@@ -250,6 +261,38 @@ TEST(SickNode, CountsWhatIsMissingByBothCounters) {
   // The device says that there is a little dirt on its window.
   EXPECT_EQ(bridge.counter("sick_contamination"), 1);
   EXPECT_EQ(bridge.summary(), "dirt on the scanner's window: warning");
+}
+
+/// A scan whose clock said so many microseconds; it is sent 41 ms later.
+std::string scan_at(std::uint32_t start_us, std::uint16_t counter) {
+  const Bytes frame = small_scan(counter);
+  std::string body(frame.begin() + 8, frame.end() - 1), times;
+  append_big_endian(times, start_us, 4);
+  append_big_endian(times, static_cast<std::uint32_t>(start_us + 41'000), 4);
+  return sick::make_frame(sick::Dialect::cola_b, body.replace(30, 8, times));
+}
+
+TEST(SickNode, TheDevicesClockGoesOnOverItsWrapAfter71Minutes) {
+  YesMan device(sick::Dialect::cola_b);
+  LoopbackServer server([&](const std::string& bytes) { return device.answer(bytes); });
+  Bridge bridge(server);
+  ASSERT_TRUE(
+      bridge.run_until([&] { return std::count(device.asked.begin(), device.asked.end(), "sEN LMDscandata"); }));
+  const std::uint32_t before_wrap = 0xFFFFFFFF - 100'000;
+  for (std::uint16_t i = 0; i < 5; ++i) {
+    server.send(scan_at(before_wrap + 40'000U * i, i));
+    ASSERT_TRUE(bridge.run_until_lines(1));
+  }
+  ASSERT_EQ(bridge.published["LASER_LINE"].size(), 5U);
+  std::vector<laser_line_t> lines;
+  for (const auto& message : bridge.published["LASER_LINE"]) lines.push_back(decode<laser_line_t>(message));
+  // They are sent faster than they were measured; a clock that lost count would be off by 4,294 s.
+  for (const laser_line_t& line : lines) {
+    EXPECT_NEAR(static_cast<double>(line.utime - host_now()), 0, 2e6);
+    EXPECT_LE(line.utime, host_now() - 41'000);
+  }
+  EXPECT_LT(lines[4].device_time_us, lines[0].device_time_us);
+  EXPECT_EQ(bridge.counter("sick_clock_jumps"), 0);
 }
 
 TEST(SickNode, AnotherModelIsOneClearLine) {

@@ -28,6 +28,7 @@ class Bridge {
 
   void turn() {
     for (std::string& note : node_.run(1)) notes.push_back(std::move(note));
+    if (std::string note = node_.take_welcome(); !note.empty()) notes.push_back(std::move(note));
     bus_.dispatch();
   }
   /// Runs tracker (or none) and bridge until `done`; false: not within ten seconds.
