@@ -27,19 +27,21 @@ TEST_F(Live, ALogPlayedIntoProcessesGivesWhatReplayGives) {
     begin mapper
     begin planner
     observe 2 120
-    lcm-logger -q "$WORK/recorded.lcmlog" 2>"$WORK/logger.err" & logger=$!
-    sleep 1
-    lcm-logplayer "$LOG" || exit 1
+    record "$WORK/recorded.lcmlog"
+    lcm-logplayer -s 4 "$LOG" || exit 1
     finish || exit 1
-    kill -INT $logger
-    wait $logger || exit 1
+    end_record || exit 1
+    "$BIN/scanway" replay --verify "$WORK/recorded.lcmlog" >"$WORK/verified.txt" || exit 1
+    "$BIN/scanway" info "$WORK/recorded.lcmlog" >"$WORK/info.txt"
     "$BIN/scanway" replay "$WORK/recorded.lcmlog" -o "$WORK/replayed" >/dev/null || exit 1
     "$BIN/scanway-live-tool" digests "$WORK/replayed/out.lcmlog" >"$WORK/replayed.txt")");
-  EXPECT_EQ(played.status, 0) << played.err << session_.told();
+  EXPECT_EQ(played.status, 0) << played.err << session_.told() << session_.text("verified.txt");
   expect_same_as_replay();
   EXPECT_EQ(session_.counters("planner").at("planner_map_behind"), 0);
   EXPECT_EQ(session_.counters("mapper").at("bad_messages"), 0);
-  // What lcm-logger recorded of the session replays to the same.
+  // What lcm-logger recorded of the session is what its inputs give, and replays to the same.
+  EXPECT_TRUE(session_.text("verified.txt").starts_with("verified: ")) << session_.text("verified.txt");
+  EXPECT_NE(session_.text("info.txt").find("\nTIMING "), std::string::npos);
   EXPECT_EQ(lines_of(session_.text("replayed.txt"), ""), lines_of(ShortLog::get().products, ""));
 }
 

@@ -35,3 +35,17 @@ finish() {  # waits for the observer, ends the processes; status: 0 if all ended
   done
   return $status
 }
+
+# lcm-logger takes 30 messages at once and drops the rest when it is not let run: on a busy machine it goes first.
+record() {  # FILE: all that is on the bus, until end_record
+  local first='' url=$LCM_DEFAULT_URL
+  chrt -f 10 true 2>/dev/null && first='chrt -f 10'
+  $first lcm-logger -q --lcm-url="$url&recv_buf_size=4194304" "$1" 2>>"$WORK/logger.err" &
+  pid_logger=$!
+  sleep 1
+}
+
+end_record() {
+  kill -INT "$pid_logger"
+  wait "$pid_logger"
+}

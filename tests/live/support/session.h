@@ -31,6 +31,7 @@ class Session {
   /// One script a pretend machine of a pretend LAN; the last one is the test. `options`: of netns-lan.
   CommandResult run_on_lan(const std::vector<std::string>& options, const std::vector<std::string>& scripts) const;
 
+  std::string operator/(const std::string& file) const { return folder_ / file; }
   std::string text(const std::string& file) const { return read_text(folder_ / file); }
   /// What was observed of that channel (all that replay compares: empty), a line an object.
   std::string observed(const std::string& channel = {}) const;
