@@ -56,7 +56,8 @@ int run_verify(const ReplayOptions& options) {
   Verification verification;
   {
     ProgressBar bar("verifying " + printable(options.log));
-    verification = verify(options.log, robot, [&bar](double share) { bar.show(share); });
+    verification = verify(
+        options.log, robot, [&bar](double share) { bar.show(share); }, options.played);
   }
   std::fputs(verification.text().c_str(), stdout);
   return verification.status();

@@ -23,8 +23,6 @@ namespace {
 
 enum InputChannel : std::size_t { kImuInput, kSweepInput };
 
-/// An orientation that is older than this when the sweep ends says nothing of it any more.
-constexpr Utime kMaxOrientationAge = 2 * kMicrosecondsPerSecond;
 /// A sweep's pieces may still be on their way this long after it ended: 3.4 million points, paced and asked for again.
 constexpr Utime kSweepBound = 200 * kMicrosecondsPerSecond;
 

@@ -27,6 +27,9 @@
 
 namespace scanway {
 
+/// An orientation that is older than this when the sweep ends says nothing of it any more.
+constexpr Utime kMaxOrientationAge = 2 * kMicrosecondsPerSecond;
+
 /// Of sweeps that were worked on before: by a sweep's digest, that of the IMU message whose orientation it used, if
 /// any.
 using ListedOrientations = std::map<std::uint64_t, std::optional<std::uint64_t>>;

@@ -13,6 +13,7 @@
 #include "modules/mapper/node/mapper_node.h"
 #include "modules/replay/verify/configuration.h"
 #include "modules/replay/verify/derived_products.h"
+#include "modules/replay/verify/played.h"
 #include "modules/replay/verify/recorded_log.h"
 #include "modules/replay/verify/recorded_paths.h"
 #include "modules/replay/verify/sweep_list.h"
@@ -58,7 +59,7 @@ class Rerun {
 /// The whole work, a step a function.
 class Verifier {
  public:
-  Verifier(const std::string& path, const std::optional<Robot>& robot)
+  Verifier(const std::string& path, const std::optional<Robot>& robot, const std::string& played)
       : log_(path), list_(list_sweeps(log_)), paths_(log_) {
     result_.holds_derived = log_.holds_derived();
     result_.sweeps = list_.sweeps.size();
@@ -68,6 +69,7 @@ class Verifier {
     const auto add = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
     add(result_.missing, paths_.missing());
     add(result_.notes, paths_.notes());
+    if (!played.empty()) result_.unused = not_used(RecordedLog(played), log_);
   }
 
   Verification run(const std::function<void(double)>& progress) {
@@ -164,7 +166,7 @@ class Verifier {
 Verification::Status Verification::status() const {
   if (!difference.empty() || !trouble.empty()) return kDifferent;
   if (!holds_derived) return kNothingDerived;
-  return missing.empty() ? kEqual : kIncomplete;
+  return missing.empty() && unused.empty() ? kEqual : kIncomplete;
 }
 
 std::string Verification::text() const {
@@ -172,6 +174,7 @@ std::string Verification::text() const {
   if (!trouble.empty()) text += "damaged: the log is " + trouble + "\n";
   if (!difference.empty()) text += "different: " + difference + "\n";
   for (const std::string& input : missing) text += "missing: " + input + "\n";
+  for (const std::string& input : unused) text += "not used: " + input + "\n";
   for (const std::string& note : notes) text += "note: " + note + "\n";
   if (!holds_derived) return text + "nothing to verify: the log holds no derived object\n";
   if (!difference.empty()) return text;
@@ -181,9 +184,9 @@ std::string Verification::text() const {
 }
 
 Verification verify(const std::string& log, const std::optional<Robot>& robot,
-                    const std::function<void(double)>& progress) {
+                    const std::function<void(double)>& progress, const std::string& played) {
   try {
-    return Verifier(log, robot).run(progress);
+    return Verifier(log, robot, played).run(progress);
   } catch (const BadMessage& bad) {
     throw InputError(printable(log) + ": cannot be verified: " + bad.what());
   }

@@ -17,6 +17,7 @@ struct Verification {
   std::size_t products = 0;          ///< Objects and messages that were derived and recorded, and are equal.
   std::string difference;            ///< The first product that is another, with both digests; empty: none is.
   std::vector<std::string> missing;  ///< Each input that the log lacks.
+  std::vector<std::string> unused;   ///< Of the log that was played, what the processes did not use.
   std::vector<std::string> notes;    ///< What people should know beside.
   std::string trouble;               ///< What is wrong with the log's file, in one line; empty: nothing.
   bool holds_derived = true;         ///< The log holds something to compare.
@@ -29,8 +30,10 @@ struct Verification {
 
 /// Computes anew what mapper and planner derived, from exactly the inputs that the log's SWEEP_INPUTS list, and
 /// compares it with what the log holds: products by channel, key, version and digest, PATH on closed versions. `robot`
-/// is taken in place of the log's own configuration. `progress` is told how far it is, from 0 to 1. Throws InputError.
+/// is taken in place of the log's own configuration. `played`, if not empty, is the log that a
+/// player sent to the processes whose session `log` is. `progress` is told how far it is, from 0 to 1. Throws
+/// InputError.
 Verification verify(const std::string& log, const std::optional<Robot>& robot,
-                    const std::function<void(double)>& progress = {});
+                    const std::function<void(double)>& progress = {}, const std::string& played = {});
 
 }  // namespace scanway

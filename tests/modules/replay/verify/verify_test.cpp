@@ -232,6 +232,30 @@ TEST(Verify, AProductWhosePiecesAreNotAllThereIsComparedByItsDigestAndNamed) {
   EXPECT_THAT(verification.notes[0], HasSubstr("OCTOMAP map version 2: lacks 1 of "));
 }
 
+TEST(Verify, WhatWasPlayedAndNotUsedIsNamed) {
+  const auto played_into = [](const std::string& log) {
+    return verify(log, std::nullopt, {}, session().inputs_path());
+  };
+  EXPECT_EQ(played_into(session().path()).status(), Verification::kEqual);
+  // A session whose processes never got the second scan, the first one's orientation and the goal.
+  const std::string path = session().edited("got-less.lcmlog", [](Events& events) {
+    drop(events, "PATH", [](const auto&) { return true; });
+    for (EditedEvent* event : events_of(events, "SWEEP_INPUTS")) {
+      auto inputs = decode<sweep_inputs_t>(event->bytes);
+      inputs.inputs[0].used_count = 0;
+      event->bytes = encode(inputs);
+    }
+    drop(events, "SWEEP_INPUTS",
+         [](const EditedEvent& event) { return decode<sweep_inputs_t>(event.bytes).utime == kSecondSweep; });
+  });
+  const Verification verification = played_into(path);
+  EXPECT_NE(verification.status(), Verification::kEqual);
+  EXPECT_THAT(verification.unused,
+              testing::UnorderedElementsAre(StartsWith("IMU at " + std::to_string(kFirstSweep - kImuBefore)),
+                                            StartsWith("SWEEP second at " + std::to_string(kSecondSweep)),
+                                            StartsWith("GOAL 0.8,0.4 ")));
+}
+
 /// Adds what a live process says of its configuration.
 void say(Events& events, const std::string& process, const Robot& robot) {
   const auto message = encode(params_message(kFirstSweep, robot_text(robot)));

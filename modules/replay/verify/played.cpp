@@ -1,0 +1,69 @@
+#include "modules/replay/verify/played.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "common/files/printable.h"
+#include "common/messages/codec.h"
+#include "common/messages/digest.h"
+#include "modules/mapper/node/mapper_node.h"
+#include "scanway/goal_t.hpp"
+#include "scanway/sweep_t.hpp"
+
+namespace scanway {
+namespace {
+
+std::string hex_of(std::int64_t digest) { return hex(static_cast<std::uint64_t>(digest)); }
+
+/// What the sweep used of IMU; 0: nothing.
+std::int64_t imu_used(const sweep_inputs_t& sweep) {
+  for (const input_span_t& input : sweep.inputs) {
+    if (input.channel == channel::kImu.name && input.used_count > 0) return input.used_digest;
+  }
+  return 0;
+}
+
+/// The newest orientation at the time of the sweep, unless that is too old; nothing if there is none.
+std::string missed_orientation(const RecordedLog& played, const sweep_inputs_t& sweep) {
+  const auto& all = played.messages(channel::kImu.name);
+  auto after = all.upper_bound(sweep.utime);
+  if (after == all.begin()) return {};
+  const auto& [utime, message] = *std::prev(after);
+  const auto name = static_cast<std::int64_t>(digest(message));
+  if (sweep.utime - utime > kMaxOrientationAge || imu_used(sweep) == name) return {};
+  return fmt::format("IMU at {} digest {}: sweep {} did not use it", utime, hex_of(name), printable(sweep.sweep_name));
+}
+
+bool is_answered(const RecordedLog& session, const goal_t& goal) {
+  return std::ranges::any_of(session.objects_of(channel::kPath), [&](const auto& entry) {
+    if (!entry.second.whole() || !entry.second.fault().empty()) return false;
+    const auto path = decode<path_t>(entry.second.bytes().value());
+    return !path.provisional && path.goal[0] == goal.goal_x_m && path.goal[1] == goal.goal_y_m;
+  });
+}
+
+}  // namespace
+
+std::vector<std::string> not_used(const RecordedLog& played, const RecordedLog& session) {
+  std::vector<std::string> lines;
+  for (const auto& [name, object] : played.objects_of(channel::kSweep)) {
+    if (!object.whole() || !object.fault().empty()) continue;
+    const auto same = [&](const sweep_inputs_t& one) { return one.sweep_digest == name.digest; };
+    const auto used = std::ranges::find_if(session.sweep_inputs(), same);
+    if (used == session.sweep_inputs().end()) {
+      lines.push_back(fmt::format("SWEEP {} at {} digest {}: the mapper did not use it", printable(name.key),
+                                  object.utime(), hex_of(name.digest)));
+    } else if (const std::string missed = missed_orientation(played, *used); !missed.empty()) {
+      lines.push_back(missed);
+    }
+  }
+  for (const auto& [utime, bytes] : played.messages(channel::kGoal.name)) {
+    const auto goal = decode<goal_t>(bytes);
+    if (is_answered(session, goal)) continue;
+    lines.push_back(fmt::format("GOAL {},{} at {}: no PATH answers it", goal.goal_x_m, goal.goal_y_m, utime));
+  }
+  return lines;
+}
+
+}  // namespace scanway
