@@ -6,6 +6,7 @@ namespace scanway::simulator {
 namespace {
 
 constexpr double kGroundClearance_m = 0.03;
+constexpr double kLeastMirrorHeight_m = 0.05;
 constexpr double kColumnRadius_m = 0.06;
 constexpr double kLaserHalfHeight_m = 0.09;  // The laser's own housing about its mirror.
 
@@ -17,6 +18,7 @@ Mesh body_mesh(const Robot& robot, const Pose& X_world_base) {
   const double plate = robot.mounts.base_mount.position_m.z();
   const double mirror = (X_base_pan * robot.mounts.pan_laser.pose()).translation().z();
   Mesh mesh;
+  if (mirror < plate + kLeastMirrorHeight_m) return mesh;
   if (plate > kGroundClearance_m) {
     add_prism(mesh, X_world_base, robot.body.footprint, kGroundClearance_m, plate, surface);
   }

@@ -72,6 +72,16 @@ TEST(Sweep, TheRobotSeesItsOwnBodyAndItsPointsLeaveItOut) {
   EXPECT_LT(all.labels.size() - kept - static_cast<std::size_t>(on_robot), all.labels.size() / 200);
 }
 
+TEST(Sweep, ARobotFileWithoutTheLasersPlaceSeesTheGroundAllTheSame) {
+  Robot robot;  // Its mirror is in its plate, for the user to measure.
+  robot.laser.beams = 96;
+  robot.pan.speed_rad_s = radians(60);
+  const LabelledSweep points =
+      points_of(simulate_lines(Room{}.world(), robot, Pose::Identity(), SweepConfig{}), robot, true);
+  EXPECT_EQ(std::count(points.labels.begin(), points.labels.end(), Label::robot), 0);
+  EXPECT_GT(std::count(points.labels.begin(), points.labels.end(), Label::ground), 1000);
+}
+
 TEST(Sweep, PointsHaveTheirTimesAndLieOnTheWalls) {
   const Room room;
   const SimulatedSweep simulated = simulate_sweep(room.world(), {0.5, 1.0, 0.3}, quick_robot(), 8);
