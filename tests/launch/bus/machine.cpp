@@ -14,7 +14,7 @@ namespace scanway::test {
 namespace {
 
 constexpr Utime kBegin = 1'700'000'000'000'000;
-constexpr std::size_t kEveryPoint = 6;
+constexpr std::size_t kEveryPoint = 16;
 
 }  // namespace
 

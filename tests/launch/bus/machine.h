@@ -38,7 +38,7 @@ struct StreamLog {
   std::uint64_t left_out = 0;
 };
 
-/// A log of one sweep with its orientation and a goal: a scan of the hall, every 6th point of it.
+/// A log of one sweep with its orientation and a goal: a scan of the hall, every 16th point of it.
 void write_sweep_log(const std::string& folder, const std::string& log);
 
 }  // namespace scanway::test

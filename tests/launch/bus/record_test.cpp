@@ -71,9 +71,9 @@ TEST_F(Record, WhatWasRecordedAndReplayedGivesTheSame) {
 }
 
 TEST_F(Record, BeginsANewLogWhenOneIsLargeAndLosesNothingBetween) {
-  const StreamLog stream(machine_.path("stream.lcm"), 8);
-  const auto played = record("--split-mb 0.02", R"(
-    "$LAUNCH/replay" --speed 1.5 --channels IMU stream.lcm >/dev/null || exit 1
+  const StreamLog stream(machine_.path("stream.lcm"), 5);
+  const auto played = record("--split-mb 0.01", R"(
+    "$LAUNCH/replay" --speed 1.25 --channels IMU stream.lcm >/dev/null || exit 1
     sleep 0.5
     kill -INT $record; wait $record)");
   ASSERT_EQ(played.status, 0) << played.err << told();
@@ -93,8 +93,8 @@ TEST_F(Record, EndsBeforeTheDiskIsFull) {
   const auto played = machine_.run(R"(
     mkdir logs && mount -t tmpfs -o size=8m tmpfs logs || exit 99
     "$LAUNCH/record" --keep-free-mb 6.5 logs 2>record.err & record=$!
-    sleep 1.5
-    while kill -0 $record 2>/dev/null; do lcm-logplayer -s 4 sweep.lcm >/dev/null; done &
+    sleep 1
+    while kill -0 $record 2>/dev/null; do lcm-logplayer -s 8 sweep.lcm >/dev/null; done &
     wait $record; echo $? >status
     df --output=avail -B1 logs | tail -n 1 >free
     mkdir kept && cp logs/*.lcm kept/

@@ -19,15 +19,15 @@ class Spy : public testing::Test {
 };
 
 TEST_F(Spy, CountsAndDecodesWhatWasSent) {
-  const StreamLog stream(machine_.path("stream.lcm"), 3);
-  const auto played = machine_.run(R"(
-    "$SCANWAY" spy --json --seconds 4.5 >table.json & table=$!
-    "$SCANWAY" spy IMU --json --seconds 4.5 >imu.json & imu=$!
-    "$SCANWAY" spy GOAL --seconds 4.5 >goal.txt 2>goal.err; echo $? >goal.status & goal=$!
+  const StreamLog stream(machine_.path("stream.lcm"), 2);
+  const auto played = machine_.run(R"sh(
+    "$SCANWAY" spy --json --seconds 4 >table.json & table=$!
+    "$SCANWAY" spy IMU --json --seconds 4 >imu.json & imu=$!
+    ("$SCANWAY" spy GOAL --seconds 4 >goal.txt 2>goal.err; echo $? >goal.status) & goal=$!
     "$SCANWAY" spy HEALTH --once >health.txt & health=$!
-    sleep 0.7
+    sleep 1
     lcm-logplayer stream.lcm >/dev/null
-    wait $table && wait $imu && wait $health && wait $goal)");
+    wait $table && wait $imu && wait $health && wait $goal)sh");
   ASSERT_EQ(played.status, 0) << played.err;
 
   const json table = json::parse(machine_.text("table.json"));
