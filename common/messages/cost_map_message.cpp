@@ -1,6 +1,8 @@
 #include "common/messages/cost_map_message.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <cstdlib>
 #include <tuple>
 #include <utility>
 
@@ -10,6 +12,13 @@
 namespace scanway {
 
 namespace {
+
+// Beyond these no robot goes, and numbers of cells no longer fit in 32 bits.
+constexpr double kFinest = 1e-4, kCoarsest = 1e3;  // metres
+constexpr double kFarthest = 1e7;                  // metres
+constexpr std::int64_t kFarthestTile = 1 << 22;
+
+bool is_near(double coordinate) { return coordinate >= -kFarthest && coordinate <= kFarthest; }
 
 auto place(const cost_tile_entry_t& tile) { return std::tuple(tile.tile_x, tile.tile_y); }
 
@@ -71,7 +80,15 @@ cost_map_index_t close_map(const CostMap& map, std::int64_t map_version, Utime u
 }
 
 void check_index(const cost_map_index_t& index) {
-  if (!(index.resolution_m > 0)) throw BadMessage("a cost map whose resolution is not positive");
+  const bool is_scaled = index.resolution_m >= kFinest && index.resolution_m <= kCoarsest;
+  if (!is_scaled) throw BadMessage("a cost map whose resolution is absurd");
+  if (!is_near(index.map_origin_m[0]) || !is_near(index.map_origin_m[1])) {
+    throw BadMessage("a cost map whose origin is absurd");
+  }
+  const bool in_reach = std::all_of(index.tiles.begin(), index.tiles.end(), [](const cost_tile_entry_t& tile) {
+    return std::abs(std::int64_t{tile.tile_x}) <= kFarthestTile && std::abs(std::int64_t{tile.tile_y}) <= kFarthestTile;
+  });
+  if (!in_reach) throw BadMessage("a cost map with a tile out of all reach");
   const auto disorder = std::adjacent_find(index.tiles.begin(), index.tiles.end(),
                                            [](const auto& a, const auto& b) { return place(a) >= place(b); });
   if (disorder != index.tiles.end()) throw BadMessage("a cost map whose tiles are out of order");

@@ -1,6 +1,7 @@
 #include "modules/planner/node/planner_node.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -110,6 +111,22 @@ void PlannerNode::take_version(std::optional<ClosedVersion> version) {
 
 void PlannerNode::take(std::size_t channel, Utime utime, Input input) {
   ++news_;
+  guarded([&] { add(channel, utime, std::move(input)); });
+}
+
+// A live planner that cannot plan on a map says so and goes on: the mapper may begin another. Replay ends with the
+// line.
+void PlannerNode::guarded(const std::function<void()>& work) {
+  if (!trouble_.empty()) return;
+  try {
+    work();
+  } catch (const std::length_error& too_large) {
+    if (!provisional_) throw;
+    trouble_ = std::string(too_large.what()) + "; no more paths until the mapper begins another map";
+  }
+}
+
+void PlannerNode::add(std::size_t channel, Utime utime, Input input) {
   if (provisional_) std::visit([this](const auto& value) { provisional_->take(value); }, input);
   // Late is counted, but what is newest is the state of the world all the same: a goal is still the operator's will,
   // and the next version of the map builds on this one.
@@ -134,11 +151,12 @@ void PlannerNode::finish_work(const std::string& what) {
 void PlannerNode::settle() {
   const std::optional<map_state_t> mapper = std::exchange(mapper_, std::nullopt);
   if (mapper && mapper->settled && mapper->map_version == replica_.closed_version() && replica_.up_to_date()) {
-    inputs_.flush();
+    guarded([this] { inputs_.flush(); });
   }
 }
 
 std::string PlannerNode::summary() const {
+  if (!trouble_.empty()) return trouble_;
   if (!replica_.up_to_date()) return "the map is behind the mapper's: its tiles are still coming";
   if (!basis_.goal && !provisional_) return {};
   if (inputs_.waiting() > 0) return "a plan waits for later data; the provisional one is out";

@@ -65,6 +65,8 @@ class PlannerNode {
   void take_state(const BusMessage& message);
   void take_version(std::optional<ClosedVersion> version);
   void take(std::size_t channel, Utime utime, Input input);
+  void add(std::size_t channel, Utime utime, Input input);
+  void guarded(const std::function<void()>& work);
   void work_on(Input&& input);
   void change_map(const ClosedVersion& version);
   void plan();
@@ -93,6 +95,7 @@ class PlannerNode {
   bool outdated_ = false;
   std::size_t news_ = 0;
   std::int64_t bad_messages_ = 0;
+  std::string trouble_;  // Why nothing can be planned on this map, ever; empty: it can.
 };
 
 }  // namespace scanway

@@ -11,7 +11,7 @@ namespace {
 
 constexpr auto kNoWait = std::chrono::milliseconds(0);
 constexpr auto kPatience = std::chrono::milliseconds(2000);
-constexpr int kQuietTurns = 60;
+constexpr int kQuietTurns = 25;
 constexpr SteadyTime kUntilHealth = 1'200'000;
 
 // What never becomes whole; a minute otherwise.

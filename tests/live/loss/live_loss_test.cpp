@@ -183,6 +183,9 @@ TEST_P(BadNetwork, ThatDisordersAndRepeatsIsRepairedAndAddsUp) {
   for (const char* channel : {"CLOUD_TILE", "OCTOMAP"}) {
     expect_to_add_up(mapper, observer, {channel}, of(lost, channel), of(twice, channel));
   }
+  const long overtaken = of(fates("relay.txt", "ab", "OVERTAKEN"), "COST_MAP_TILE");
+  std::printf("%ld tile pieces were overtaken\n", overtaken);
+  EXPECT_GT(overtaken, 1000);
   const Counters lost_back = fates("relay.txt", "ba", "LOST"), twice_back = fates("relay.txt", "ba", "TWICE");
   EXPECT_EQ(of(planner, "sent_PIECE_REQUEST") + of(observer, "sent_PIECE_REQUEST") + of(mapper, "sent_PIECE_REQUEST") +
                 of(twice_back, "PIECE_REQUEST"),

@@ -90,7 +90,7 @@ class Way {
       : name_(std::move(name)), from_(from), to_(to), options_(options), random_(options.seed) {}
 
   void carry(SteadyTime now) {
-    for (Datagram datagram; from_.hear(datagram);) {
+    for (Datagram datagram; from_.hear(datagram); ++number_) {
       const std::string channel = channel_of(datagram);
       ++fates_[{"SENT", channel}];
       if (random_.uniform() < options_.lost) {
@@ -103,7 +103,12 @@ class Way {
       }
       hold(datagram, now);
     }
-    for (; !held_.empty() && held_.begin()->first <= now; held_.erase(held_.begin())) to_.say(held_.begin()->second);
+    for (; !held_.empty() && held_.begin()->first <= now; held_.erase(held_.begin())) {
+      const Held& next = held_.begin()->second;
+      if (next.number < newest_) ++fates_[{"OVERTAKEN", channel_of(next.datagram)}];
+      newest_ = std::max(newest_, next.number);
+      to_.say(next.datagram);
+    }
   }
   void print() const {
     for (const auto& [fate, number] : fates_) {
@@ -112,8 +117,14 @@ class Way {
   }
 
  private:
+  struct Held {
+    long number;  // In the order of arrival.
+    Datagram datagram;
+  };
+
   void hold(const Datagram& datagram, SteadyTime now) {
-    held_.emplace(now + static_cast<SteadyTime>(random_.uniform() * options_.held_ms * 1000.0), datagram);
+    const auto until = now + static_cast<SteadyTime>(random_.uniform() * options_.held_ms * 1000.0);
+    held_.emplace(until, Held{number_, datagram});
   }
 
   std::string name_;
@@ -121,7 +132,8 @@ class Way {
   const Group& to_;
   RelayOptions options_;
   Random random_;
-  std::multimap<SteadyTime, Datagram> held_;
+  std::multimap<SteadyTime, Held> held_;
+  long number_ = 0, newest_ = 0;
   std::map<std::pair<std::string, std::string>, long> fates_;
 };
 

@@ -13,8 +13,8 @@ struct RelayOptions {
 };
 
 /// Two multicast groups as two machines: carries the datagrams of LCM from one to the other and does to them what a bad
-/// network does. Prints what became of them, a line a direction (ab, ba), fate (SENT, LOST, TWICE) and channel; ends on
-/// INT or TERM. Groups: ADDRESS:PORT, with ports of their own.
+/// network does. Prints what became of them, a line a direction (ab, ba), fate (SENT, LOST, TWICE, OVERTAKEN) and
+/// channel; ends on INT or TERM. Groups: ADDRESS:PORT, with ports of their own.
 int relay(const std::string& group_a, const std::string& group_b, const RelayOptions& options);
 
 }  // namespace scanway::test
