@@ -53,7 +53,7 @@ TEST_F(Spy, CountsAndDecodesWhatWasSent) {
 
   EXPECT_EQ(machine_.text("goal.txt"), "GOAL  bad: scanway.goal_t.goal_y_m: cut off\n");
   EXPECT_EQ(machine_.text("goal.status"), "1\n");
-  EXPECT_NE(machine_.text("health.txt").find("  process_name   \"tracker\"\n"), std::string::npos)
+  EXPECT_NE(machine_.text("health.txt").find("  process_name  \"tracker\"\n"), std::string::npos)
       << machine_.text("health.txt");
 }
 
