@@ -17,12 +17,14 @@ constexpr const char* kScript = R"(
   "$2/launch/spy" >spy.out 2>spy.err & spy=$!
   for _ in $(seq 300); do xdotool search --name 'LCM Spy' >/dev/null 2>&1 && break; sleep 0.2; done
   xdotool search --name 'LCM Spy' >/dev/null || exit 1
-  for _ in $(seq 100); do pgrep -f 'scanway spy .*--relay' >/dev/null && break; sleep 0.1; done
-  pgrep -f 'scanway spy .*--relay' >/dev/null || exit 2
+  for _ in $(seq 100); do pgrep -f 'scanway spy .*--rela[y]' >/dev/null && break; sleep 0.1; done
+  pgrep -f 'scanway spy .*--rela[y]' >/dev/null || exit 2
+  # Brackets: not this script's own words.
   kill -TERM $spy; wait $spy
-  for _ in $(seq 50); do pgrep -f 'lcm.spy.Spy|--relay' >/dev/null || break; sleep 0.1; done
-  pgrep -f 'lcm.spy.Spy|--relay' >&2 && exit 3
-  exit 0)";
+  for _ in $(seq 50); do pgrep -f 'lcm.spy.Sp[y]|--rela[y]' >/dev/null || break; sleep 0.1; done
+  pgrep -f 'lcm.spy.Sp[y]|--rela[y]' >&2 && status=3
+  kill -TERM $screen; wait $screen
+  exit ${status:-0})";
 
 TEST(Window, OpensWithOurTypesAndLeavesNothingBehind) {
   for (const char* program : {"Xvfb", "xdotool", "java", "javac"}) {
