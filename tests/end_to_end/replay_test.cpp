@@ -102,6 +102,35 @@ TEST_F(Replay, SaysSomethingAboutALogThatIsCutAnywhere) {
   }
 }
 
+TEST_F(Replay, IsVerifiedByWhatItsOwnLogHolds) {
+  const std::string products = path("first/out.lcmlog");
+  const CommandResult equal = run_scanway({"replay", "--verify", products});
+  EXPECT_EQ(equal.status, 0) << equal.out;
+  EXPECT_TRUE(equal.out.starts_with("verified: ")) << equal.out;
+  EXPECT_EQ(equal.err, "");
+  EXPECT_EQ(run_scanway({"replay", "--verify", log()}).status, 3) << "no product in it";
+
+  std::string bytes = read_text(products);
+  bytes[bytes.find("OCTOMAP") + 400] ^= 1;  // In the data of its first piece.
+  write_text(path("altered.lcmlog"), bytes);
+  const CommandResult altered = run_scanway({"replay", "--verify", path("altered.lcmlog")});
+  EXPECT_EQ(altered.status, 1);
+  EXPECT_TRUE(altered.out.starts_with("different: OCTOMAP map version 1: ")) << altered.out;
+}
+
+TEST_F(Replay, WithAnotherRobotThatIsTheConfigurationInItsLog) {
+  write_text(path("paper.yaml"), "mapping:\n  embodiment: paper\n");
+  ASSERT_EQ(run_scanway({"replay", log(), "-o", path("other"), "--robot", path("paper.yaml")}).status, 0);
+  const CommandResult verified = run_scanway({"replay", "--verify", path("other/out.lcmlog")});
+  EXPECT_EQ(verified.status, 0) << verified.out;
+  EXPECT_NE(report("other")["digests"], report("first")["digests"]);
+}
+
+TEST_F(Replay, WantsAFolderOrToVerify) {
+  expect_refused(run_scanway({"replay", log()}), "--output or --verify");
+  expect_refused(run_scanway({"replay", log(), "--verify", "-o", path("none")}), "excludes");
+}
+
 TEST_F(Replay, RefusesWhatIsNoLog) {
   write_text(path("text.lcmlog"), "This is no log.\n");
   expect_refused(replay(path("text.lcmlog"), "none", "1"), "text.lcmlog");

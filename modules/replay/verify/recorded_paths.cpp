@@ -44,7 +44,9 @@ RecordedPaths::RecordedPaths(const RecordedLog& log) {
   for (const auto& [name, object] : log.objects_of(channel::kPath)) {
     if (name.key.starts_with("provisional")) continue;
     if (!object.fault().empty()) {
-      if (fault_.empty()) fault_ = text_of(name) + ": " + object.fault();
+      if (!fault_.empty()) continue;
+      fault_ = fmt::format("{}: {}; digest {} in the log", text_of(name), object.fault(),
+                           hex(static_cast<std::uint64_t>(name.digest)));
       continue;
     }
     if (!object.whole()) {
