@@ -135,7 +135,8 @@ void add_replay(CLI::App& app, Action& action) {
   static bool verifies = false;
   auto* verify = command->add_flag("--verify", verifies, "Compare the log's own products with what its inputs give");
   verify->excludes(output);
-  command->add_option("--played", options.played, "The log that was played to the processes: name what they did not use")
+  command
+      ->add_option("--played", options.played, "The log that was played to the processes: name what they did not use")
       ->needs(verify);
   command->callback([&action] {
     if (!verifies && options.output.empty()) throw CLI::RequiredError("--output or --verify");
