@@ -15,6 +15,9 @@ constexpr Utime kAskAgainIfUnusableAfter = 5'000'000;
 constexpr Utime kAbsenceToldAfter = 2'000'000;
 constexpr Utime kLeastSilence = 500'000;  // That makes a module count as lost.
 
+/// Before a turning axis has taken a stop: the rhythm of its states, and the way of the stop.
+constexpr double kTimeToStop_s = 0.1;
+
 std::string degrees_text(double angle) {
   char text[32];
   std::snprintf(text, sizeof text, "%.2f", angle / radians(1.0L));
@@ -132,6 +135,14 @@ void Axis::stop() {
 void Axis::fast_stop() {
   motion_.fail();
   conversation_.urge(request::plain(config_.module, Command::cmd_fast_stop));
+}
+
+void Axis::watch_limits(Utime now) {
+  if (motion_.kind() != Motion::Kind::velocity || !motion_.under_way() || !referenced()) return;
+  const double soon = state_->position + kTimeToStop_s * turning_at_;
+  if (turning_at_ > 0 ? soon < high_ : soon > low_) return;
+  stop();
+  tell(Event::Kind::blocked, now, "has come to its limit: it has been stopped");
 }
 
 std::string Axis::acknowledge() {

@@ -10,9 +10,6 @@ namespace scanway::schunk {
 namespace {
 
 constexpr std::size_t kMostStates = 512;
-/// Before a turning axis has taken a stop: the rhythm of its states, and the way of the stop.
-constexpr double kTimeToStop_s = 0.1;
-
 std::uint8_t mask_of(const AxisConfig& config) {
   return config.ask_velocity ? state_mask::kPosition | state_mask::kVelocity : state_mask::kPosition;
 }
@@ -99,14 +96,6 @@ void Axis::take_state(const reply::State& state, Utime utime, Utime now) {
   if ((state.bits & state_bit::kWarning) == 0) warning_ = 0;
   report_motion(motion_.observe(next.position, state.bits, now), now);
   watch_limits(now);
-}
-
-void Axis::watch_limits(Utime now) {
-  if (motion_.kind() != Motion::Kind::velocity || !motion_.under_way() || !referenced()) return;
-  const double soon = state_->position + kTimeToStop_s * turning_at_;
-  if (turning_at_ > 0 ? soon < high_ : soon > low_) return;
-  stop();
-  tell(Event::Kind::blocked, now, "has come to its limit: it has been stopped");
 }
 
 void Axis::take_standing(double position, Utime utime, Utime now) {

@@ -2,8 +2,6 @@
 
 #include <spdlog/spdlog.h>
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -11,6 +9,7 @@
 #include "common/bus/channels.h"
 #include "common/messages/bad_message.h"
 #include "common/messages/codec.h"
+#include "modules/schunk_bridge/node/commands.h"
 #include "scanway/sweep_mark_t.hpp"
 
 namespace scanway::schunk {
@@ -19,16 +18,6 @@ namespace {
 /// How long a refusal stands in the summary.
 constexpr Utime kRefusalShown = 10 * kMicrosecondsPerSecond;
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
-
-std::string name_of(std::int8_t command) {
-  static constexpr const char* kNames[] = {"SWEEP", "MOVE",      "VELOCITY",   "REFERENCE",
-                                           "STOP",  "FAST_STOP", "ACKNOWLEDGE"};
-  const bool known = command >= 0 && command < static_cast<std::int8_t>(std::size(kNames));
-  return known ? kNames[command] : "command " + std::to_string(command);
-}
-
-bool is_said(double value) { return !std::isnan(value); }
-double said_or(double value, double otherwise) { return is_said(value) ? value : otherwise; }
 
 bool is_trouble(const Event& event) {
   switch (event.kind) {
@@ -72,6 +61,7 @@ void PanTiltNode::take(const BusMessage& message) {
 }
 
 bool PanTiltNode::is_repetition(const Command& command) const {
+  if (command.command == Command::STOP || command.command == Command::FAST_STOP) return false;  // Never once too often.
   return command.utime == last_command_.utime && command.command == last_command_.command && commands_ > 0;
 }
 
@@ -81,73 +71,17 @@ bool PanTiltNode::obey(Utime now) {
     if (is_repetition(command)) continue;
     ++commands_;
     last_command_ = command;
-    last_refusal_ = carry_out(command, now);
+    last_refusal_ = carry_out(command, pan_tilt_, configured_, now);
     if (last_refusal_.empty()) {
-      spdlog::info("{}", name_of(command.command));
+      spdlog::info("{}", command_name(command.command));
       continue;
     }
     ++refused_;
     refused_at_ = now;
-    last_refusal_ = name_of(command.command) + " refused: " + last_refusal_;
+    last_refusal_ = command_name(command.command) + " refused: " + last_refusal_;
     spdlog::warn("{}", last_refusal_);
   }
   return commands_ != before;
-}
-
-std::string PanTiltNode::carry_out(const Command& command, Utime now) {
-  switch (command.command) {
-    case Command::SWEEP:
-      return sweep(command, now);
-    case Command::MOVE:
-      return move(command, now);
-    case Command::VELOCITY:
-      return turn(command, now);
-    case Command::REFERENCE:
-      return pan_tilt_.reference(now);
-    case Command::STOP:
-      pan_tilt_.stop(now);
-      return {};
-    case Command::FAST_STOP:
-      pan_tilt_.fast_stop(now);
-      return {};
-    case Command::ACKNOWLEDGE:
-      return pan_tilt_.acknowledge();
-    default:
-      return "there is no such command";
-  }
-}
-
-std::string PanTiltNode::sweep(const Command& command, Utime now) {
-  SweepConfig config = configured_;
-  config.tilt = said_or(command.tilt_rad, config.tilt);
-  config.speed = said_or(command.pan_speed_rad_s, config.speed);
-  pan_tilt_.sweep().set_config(config);
-  return pan_tilt_.start_sweep(now);
-}
-
-std::string PanTiltNode::move(const Command& command, Utime now) {
-  const auto speed = [&](double said, const Axis& axis) {
-    return said_or(said, std::min(configured_.travel_speed, axis.max_speed()));
-  };
-  if (!is_said(command.pan_rad) && !is_said(command.tilt_rad)) return "it says no angle";
-  std::string refusal;
-  if (is_said(command.pan_rad)) {
-    refusal = pan_tilt_.move_pan(command.pan_rad, speed(command.pan_speed_rad_s, pan_tilt_.pan()), now);
-  }
-  if (refusal.empty() && is_said(command.tilt_rad)) {
-    refusal = pan_tilt_.move_tilt(command.tilt_rad, speed(command.tilt_speed_rad_s, pan_tilt_.tilt()), now);
-  }
-  return refusal;
-}
-
-std::string PanTiltNode::turn(const Command& command, Utime now) {
-  if (!is_said(command.pan_speed_rad_s) && !is_said(command.tilt_speed_rad_s)) return "it says no speed";
-  std::string refusal;
-  if (is_said(command.pan_speed_rad_s)) refusal = pan_tilt_.turn_pan(command.pan_speed_rad_s, now);
-  if (refusal.empty() && is_said(command.tilt_speed_rad_s)) {
-    refusal = pan_tilt_.turn_tilt(command.tilt_speed_rad_s, now);
-  }
-  return refusal;
 }
 
 void PanTiltNode::tell(Utime) {

@@ -12,7 +12,8 @@
 namespace scanway::schunk {
 
 /// The pan-tilt on the bus: PAN_TILT_COMMAND in; PAN_TILT_STATE and SWEEP_MARK out. A turn of the bridge is obey(), the
-/// device's turn, tell(). A command that comes again with the same time is the same one.
+/// device's turn, tell(). A command that comes again with the same time is the same
+/// one, unless it is a stop.
 class PanTiltNode {
  public:
   /// Both must outlive this. `started`: when the numbering of the sweeps begins.
@@ -34,11 +35,6 @@ class PanTiltNode {
 
   void take(const BusMessage& message);
   bool is_repetition(const Command& command) const;
-  /// These return why the command is refused, or nothing.
-  std::string carry_out(const Command& command, Utime now);
-  std::string sweep(const Command& command, Utime now);
-  std::string move(const Command& command, Utime now);
-  std::string turn(const Command& command, Utime now);
   void publish_state(const AxisState& pan);
   void handle(const Event& event);
   void publish_mark(const Event& event, std::int8_t mark);

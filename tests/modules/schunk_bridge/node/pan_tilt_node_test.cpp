@@ -1,115 +1,26 @@
 // The pan-tilt's node on a bus in memory, with two test modules on a wire in memory and a clock of its own.
 
-#include "modules/schunk_bridge/node/pan_tilt_node.h"
-
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
-#include <vector>
 
-#include "bot_core/joint_state_t.hpp"
-#include "common/bus/channels.h"
-#include "common/bus/memory_bus.h"
-#include "common/messages/codec.h"
-#include "scanway/sweep_mark_t.hpp"
-#include "tests/modules/schunk_bridge/core/bench_of_two.h"
+#include "tests/modules/schunk_bridge/node/node_bench.h"
 
 namespace scanway {
 namespace {
 
+using test::command_of;
+using test::NodeBench;
+using test::sweep_at;
 using test::TestModule;
 using Command = pan_tilt_command_t;
-
-constexpr double kNotSaid = std::numeric_limits<double>::quiet_NaN();
-constexpr Utime kTurn = 10'000;
-constexpr Utime kStarted = 999'000'000;
-
-Command command_of(std::int8_t command) {
-  Command message{};
-  message.command = command;
-  message.pan_rad = message.tilt_rad = message.pan_speed_rad_s = message.tilt_speed_rad_s = kNotSaid;
-  return message;
-}
-
-Command sweep_at(double degrees_a_second) {
-  Command message = command_of(Command::SWEEP);
-  message.pan_speed_rad_s = radians(degrees_a_second);
-  return message;
-}
-
-/// Turns of 10 ms: what the modules say in one is handed over at its end, with the times at which it came.
-struct Bench {
-  explicit Bench(TestModule::Units units = TestModule::kDegrees, const schunk::PanTiltConfig& config = {})
-      : pan(11, units, true), tilt(12, units, true), core(config) {
-    bus.subscribe(channel::kPanTiltState.name, [this](const BusMessage& message) {
-      states.push_back(decode<bot_core::joint_state_t>(message.bytes));
-    });
-    bus.subscribe(channel::kSweepMark.name,
-                  [this](const BusMessage& message) { marks.push_back(decode<sweep_mark_t>(message.bytes)); });
-    run_until([&] { return states.size() > 3; }, 5);
-  }
-
-  void turn() {
-    bus.dispatch();
-    node.obey(now);
-    send();
-    for (const Utime end = now + kTurn; now < end; now += 1000) {
-      for (TestModule* module : {&pan, &tilt}) receive(module->run(now));
-      truth[now] = radians(pan.angle());
-    }
-    core.tick(now);
-    send();
-    node.tell(now);
-    bus.dispatch();
-  }
-  void send() {
-    for (int i = 0; i < 5; ++i) {
-      const auto frame = core.next_frame(now + i * 1000);
-      if (!frame) continue;
-      commands.push_back(frame->data[1]);
-      for (TestModule* module : {&pan, &tilt}) receive(module->handle(test::from_can(*frame), now));
-    }
-  }
-  void receive(const std::vector<test::TestFrame>& frames) {
-    for (const auto& frame : frames) core.receive(test::to_can(frame), now);
-  }
-  void run(double seconds) {
-    for (const Utime end = now + static_cast<Utime>(seconds * 1e6); now < end;) turn();
-  }
-  template <class Done>
-  bool run_until(const Done& done, double limit_s = 300) {
-    for (const Utime end = now + static_cast<Utime>(limit_s * 1e6); now < end; turn()) {
-      if (done()) return true;
-    }
-    return false;
-  }
-  void say(Command command) {
-    command.utime = now;
-    bus.publish(channel::kPanTiltCommand.name, encode(command), now);
-    turn();
-  }
-  bool marked(std::int8_t mark) {
-    return run_until([&] { return !marks.empty() && marks.back().mark == mark; });
-  }
-  std::int64_t counter(const std::string& name) const { return node.counters().at("schunk_" + name); }
-
-  Utime now = 1'000'000'000;
-  MemoryBus bus;
-  TestModule pan, tilt;
-  schunk::PanTilt core;
-  schunk::PanTiltNode node{bus, core, kStarted};
-  std::map<Utime, double> truth;
-  std::vector<std::uint8_t> commands;
-  std::vector<bot_core::joint_state_t> states;
-  std::vector<sweep_mark_t> marks;
-};
 
 class InEveryUnit : public testing::TestWithParam<TestModule::Units> {};
 
 TEST_P(InEveryUnit, ThePanAngleOfABeamIsKnownToFiveThousandthsOfADegree) {
-  Bench bench(GetParam());
+  NodeBench bench(GetParam());
   bench.say(sweep_at(3));
   ASSERT_TRUE(bench.marked(sweep_mark_t::STARTED));
   bench.run(1);
@@ -136,7 +47,7 @@ INSTANTIATE_TEST_SUITE_P(PanTiltNode, InEveryUnit,
                          testing::Values(TestModule::kDegrees, TestModule::kRadians, TestModule::kMillidegrees));
 
 TEST(PanTiltNode, TellsBothJointsAndCountsGaps) {
-  Bench bench;
+  NodeBench bench;
   bench.tilt.tilt_by(2.5);
   bench.run(0.1);
   const auto& state = bench.states.back();
@@ -157,7 +68,7 @@ TEST(PanTiltNode, MarksASweepFromItsStartToItsEnd) {
   schunk::PanTiltConfig config;
   config.sweep.start = radians(-45);
   config.sweep.angle = radians(90);
-  Bench bench(TestModule::kDegrees, config);
+  NodeBench bench(TestModule::kDegrees, config);
   Command command = sweep_at(30);
   command.tilt_rad = radians(-5);
   bench.say(command);
@@ -167,7 +78,7 @@ TEST(PanTiltNode, MarksASweepFromItsStartToItsEnd) {
   const sweep_mark_t& end = bench.marks[1];
   EXPECT_EQ(start.mark, sweep_mark_t::STARTED);
   EXPECT_EQ(start.sweep, 1);
-  EXPECT_EQ(start.numbered_since, kStarted);
+  EXPECT_EQ(start.numbered_since, NodeBench::kStarted);
   EXPECT_NEAR(start.pan_rad, radians(-45), radians(0.01));
   EXPECT_NEAR(end.pan_rad, radians(45), radians(0.01));
   EXPECT_NEAR(to_seconds(end.utime - start.utime), 3, 0.05);
@@ -195,7 +106,7 @@ TEST(PanTiltNode, MarksASweepFromItsStartToItsEnd) {
 }
 
 TEST(PanTiltNode, SaysWhyASweepWasGivenUp) {
-  Bench bench;
+  NodeBench bench;
   bench.say(sweep_at(30));
   ASSERT_TRUE(bench.marked(sweep_mark_t::STARTED));
   bench.receive(bench.pan.fail(0xDA));
@@ -211,7 +122,7 @@ TEST(PanTiltNode, SaysWhyASweepWasGivenUp) {
 }
 
 TEST(PanTiltNode, SaysWhatItRefusesAndWhy) {
-  Bench bench;
+  NodeBench bench;
   const auto refused = [&](const Command& command, const std::string& why) {
     const auto before = bench.counter("commands_refused");
     const Utime said = bench.now;
@@ -252,7 +163,7 @@ TEST(PanTiltNode, SaysWhatItRefusesAndWhy) {
 }
 
 TEST(PanTiltNode, ACommandThatComesTwiceIsCarriedOutOnce) {
-  Bench bench;
+  NodeBench bench;
   Command command = command_of(Command::MOVE);
   command.utime = 5;
   command.pan_rad = radians(20);
@@ -263,10 +174,18 @@ TEST(PanTiltNode, ACommandThatComesTwiceIsCarriedOutOnce) {
   EXPECT_EQ(bench.counter("commands"), 1);
   EXPECT_EQ(bench.counter("commands_refused"), 0);
   EXPECT_EQ(bench.pan.move_targets.size(), 1u);
+  // A stop is always a stop.
+  command = command_of(Command::STOP);
+  command.utime = 6;
+  for (int i = 0; i < 3; ++i) {
+    bench.bus.publish(channel::kPanTiltCommand.name, encode(command), bench.now);
+    bench.run(0.1);
+  }
+  EXPECT_EQ(std::count(bench.commands.begin(), bench.commands.end(), 0x91), 6);  // For both axes.
 }
 
 TEST(PanTiltNode, MovesBothAxesAndStopsThem) {
-  Bench bench;
+  NodeBench bench;
   Command command = command_of(Command::MOVE);
   command.pan_rad = radians(60);
   command.tilt_rad = radians(-20);
@@ -297,7 +216,7 @@ TEST(PanTiltNode, MovesBothAxesAndStopsThem) {
 
 TEST(PanTiltNode, ATurnEndsBeforeTheLimit) {
   for (const double speed : {100.0, -100.0, 7.0}) {
-    Bench bench;
+    NodeBench bench;
     Command command = command_of(Command::VELOCITY);
     command.pan_speed_rad_s = radians(speed);
     bench.say(command);
@@ -310,7 +229,7 @@ TEST(PanTiltNode, ATurnEndsBeforeTheLimit) {
 }
 
 TEST(PanTiltNode, StopsWhatMovesWhenItEnds) {
-  Bench bench;
+  NodeBench bench;
   EXPECT_FALSE(bench.node.stop_moving(bench.now));
   bench.say(sweep_at(30));
   ASSERT_TRUE(bench.marked(sweep_mark_t::STARTED));
@@ -321,7 +240,7 @@ TEST(PanTiltNode, StopsWhatMovesWhenItEnds) {
 }
 
 TEST(PanTiltNode, AClockThatIsSetBackStopsThePanAndNothingElse) {
-  Bench bench;
+  NodeBench bench;
   bench.say(sweep_at(30));
   ASSERT_TRUE(bench.marked(sweep_mark_t::STARTED));
   bench.run(1);
@@ -337,7 +256,7 @@ TEST(PanTiltNode, AClockThatIsSetBackStopsThePanAndNothingElse) {
 }
 
 TEST(PanTiltNode, WhatSomebodyElseMovesIsNotMovedBeforeItStands) {
-  Bench bench;
+  NodeBench bench;
   // MOVE VEL 30 by another master.
   bench.receive(bench.pan.handle({0x50B, {0x05, 0xB5, 0x00, 0x00, 0xF0, 0x41}}, bench.now));
   bench.run(0.1);
