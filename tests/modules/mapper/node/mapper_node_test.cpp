@@ -5,12 +5,14 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "common/bus/channels.h"
 #include "common/bus/memory_bus.h"
 #include "common/messages/codec.h"
+#include "common/messages/digest.h"
 #include "common/messages/imu_message.h"
 #include "common/messages/objects.h"
 #include "common/messages/sweep_message.h"
@@ -134,6 +136,37 @@ TEST_F(MapperNodeTest, WithoutATrackerASweepIsClosedAndThatIsSaid) {
   EXPECT_EQ(inputs_[0].inputs[0].used_count, 0);
   EXPECT_EQ(node.counters().at("mapper_sweeps_without_orientation"), 1);
   EXPECT_NE(node.summary().find("no orientation"), std::string::npos);
+}
+
+TEST_F(MapperNodeTest, AListedSweepGetsTheOrientationThatItHadWhateverCame) {
+  const auto imu = encode(imu_message(kStart - 20'000, Eigen::Quaterniond::Identity()));
+  const auto digest_of_sweep = [](Utime utime, const std::string& name) {
+    return digest(encode(to_message(room(utime, name))));
+  };
+  MapperNode node(bus_, Robot{});
+  node.use({{digest_of_sweep(kStart, "a"), digest(imu)}, {digest_of_sweep(kStart + 5'000'000, "b"), std::nullopt}});
+  send_imu(bus_, kStart - 20'000);
+  send_imu(bus_, kStart - 10'000);  // Newer, but not the one that was used.
+  send_sweep(bus_, kStart, "a");
+  send_imu(bus_, kStart + 4'990'000);  // Came too late to be used.
+  send_sweep(bus_, kStart + 5'000'000, "b");
+  bus_.dispatch();
+  node.finish();
+  bus_.dispatch();
+  ASSERT_EQ(inputs_.size(), 2U);
+  EXPECT_EQ(inputs_[0].inputs[0].last_utime, kStart - 20'000);
+  EXPECT_EQ(inputs_[1].inputs[0].used_count, 0);
+}
+
+TEST_F(MapperNodeTest, EachSweepIsFinishedOnceItsProductsAreOut) {
+  MapperNode node(bus_, Robot{});
+  std::vector<std::string> finished;
+  node.on_finished([&](std::string_view name, Utime) { finished.emplace_back(name); });
+  send_sweep(bus_, kStart, "a");
+  bus_.dispatch();
+  EXPECT_TRUE(finished.empty());
+  node.settle();
+  EXPECT_EQ(finished, std::vector<std::string>{"a"});
 }
 
 TEST_F(MapperNodeTest, ANodeThatIsStartedAgainHasTheSameMap) {
