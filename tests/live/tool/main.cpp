@@ -103,7 +103,9 @@ int observe(const std::string& url, std::int64_t version, double seconds) {
   say_when("whole");
   const bool complete = wait([&] { return products.complete(version); });
   std::printf("SECONDS from the first tile of the version to the whole cost map: %.2f\n", to_seconds(equal - begun));
-  wait([&] { return healths.quiet(); });
+  // What is still on its way, and everybody's last word; somebody may ask for a minute for what nobody has.
+  const SteadyTime patience = steady_now() + 8'000'000;
+  wait([&] { return healths.quiet() || steady_now() > patience; });
   std::fputs(products.text().c_str(), stdout);
   healths.print();
   return complete ? 0 : 1;
