@@ -45,13 +45,15 @@ void RecordedObject::add(const piece_t& piece, Bytes encoded) {
   }
 }
 
-void RecordedObject::check() {
+void RecordedObject::check(const Layout& type) {
   if (!fault_.empty() || !whole()) return;
   const auto object = bytes();
   if (!object) {
     fault_ = "its bytes do not give its digest";
   } else if (utime_of(*object) != utime_) {
     fault_ = "its pieces say another time than its bytes";
+  } else {
+    fault_ = find_fault(type, *object);
   }
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "common/messages/layout.h"
 #include "common/time/utime.h"
 #include "scanway/piece_t.hpp"
 
@@ -33,8 +34,8 @@ class RecordedObject {
 
   /// `encoded` is the piece as it was logged; it is borrowed.
   void add(const piece_t& piece, Bytes encoded);
-  /// After the last piece: whether they are what they say.
-  void check();
+  /// After the last piece: whether they are what they say, a message of that type.
+  void check(const Layout& type);
 
   Utime utime() const { return utime_; }
   bool whole() const { return static_cast<std::size_t>(npieces_) == pieces_.size(); }

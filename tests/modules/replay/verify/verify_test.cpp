@@ -144,6 +144,19 @@ TEST(Verify, AProductThatNothingGivesIsNamed) {
   EXPECT_THAT(verify(path, std::nullopt).difference, HasSubstr("COST_MAP_TILE 99,99 version 2"));
 }
 
+TEST(Verify, AnObjectThatIsNoMessageOfItsChannelIsNamed) {
+  for (const char* channel : {"PATH", "COST_MAP_INDEX", "CLOUD_TILE"}) {
+    const std::string path = session().edited("liar.lcmlog", [&](Events& events) {
+      for (const piece_t& piece : cut(std::vector<std::uint8_t>(40, 0x5A), "liar", 1, 0x5A5A5A5A5A5A5A5A)) {
+        events.push_back({channel, kSecondSweep, encode(piece)});
+      }
+    });
+    const Verification verification = verify(path, std::nullopt);
+    EXPECT_EQ(verification.status(), Verification::kDifferent);
+    EXPECT_THAT(verification.text(), HasSubstr(std::string(channel) + " liar version 1"));
+  }
+}
+
 TEST(Verify, TheOrientationThatASweepUsedIsNamedWhenItIsMissing) {
   std::string name;
   const std::string path = session().edited("no-imu.lcmlog", [&](Events& events) {
