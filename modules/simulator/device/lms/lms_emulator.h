@@ -1,0 +1,91 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/time/utime.h"
+#include "modules/simulator/device/lms/scan_mode.h"
+#include "modules/simulator/device/lms/scan_telegram.h"
+#include "modules/simulator/device/lms/telegram.h"
+
+namespace scanway::simulator {
+
+/// What the scanner sees in one turn of its mirror.
+struct ScannedLine {
+  double scale = 1.0;                 ///< Millimetres of a count.
+  std::vector<std::uint16_t> ranges;  ///< One a beam of the sector; below 16: none.
+  std::vector<std::uint8_t> remissions;
+};
+
+/// A turn of the mirror: its beam i of the sector leaves at `start` + (first + i) * beam_period_us, at the angle
+/// start_deg + i step_deg of the device, whose 90 degrees are straight ahead.
+struct MirrorTurn {
+  std::int64_t number = 0;
+  Utime start = 0;  ///< Of the whole field, on the scanner's clock.
+  ScanSector sector;
+  double step_deg = 0.0;
+  double beam_period_us = 0.0;
+};
+
+/// An LMS511 as the host hears it: bytes in, bytes out, its own clock as an argument (microseconds since it was
+/// switched on). One connection at a time. It answers in the dialect of the request.
+class LmsEmulator {
+ public:
+  using Look = std::function<ScannedLine(const MirrorTurn&)>;
+
+  /// `look` is asked once for each scan that is sent, after its last beam.
+  explicit LmsEmulator(Look look) : look_(std::move(look)) {}
+
+  /// Its answers.
+  std::string receive(std::string_view bytes, Utime now);
+  /// The scans that are due by now, each a frame.
+  std::vector<std::string> tick(Utime now);
+  /// Subscriptions and login end with the connection; settings stay.
+  void hang_up();
+
+  bool measuring() const { return measuring_; }
+  const ScanMode& mode() const { return mode_; }
+  /// When turn `number` of the mirror begins.
+  Utime start_of(std::int64_t number) const;
+  /// Contents of a variable that it only keeps (CoLa-B).
+  void keep(const std::string& name, const std::string& value) { kept_[name] = value; }
+
+ private:
+  struct Content {
+    unsigned channels = 1;
+    unsigned remission = 1, remission_resolution = 0, unit = 0;
+    unsigned encoders = 0;
+    unsigned position = 0, name = 0, comment = 0, time = 1;
+    unsigned every = 1;
+  };
+
+  std::string answer(const HostRequest& request, Utime now);
+  std::string read(const HostRequest& request, Utime now);
+  std::string write(const HostRequest& request);
+  std::string call(const HostRequest& request, Utime now);
+  std::string subscribe(const HostRequest& request, Utime now);
+  void write_content(TelegramWriter& telegram) const;
+  void read_content(HostValues& values);
+  std::string set_mode(const HostRequest& request, Utime now);
+  std::int64_t last_turn_before(Utime now) const;
+  ScanTelegram scan(std::int64_t turn, Utime now);
+
+  Look look_;
+  HostRequests requests_;
+  Cola cola_ = Cola::b;  // In which scans are sent.
+  ScanMode mode_;
+  std::int32_t sector_start_ = -50000, sector_stop_ = 1850000;
+  unsigned echo_filter_ = 0;
+  Content content_;
+  std::map<std::string, std::string> kept_;
+  Utime clock_offset_ = 0;  // Of the date to the time since it was switched on.
+  bool logged_in_ = false, measuring_ = true, subscribed_ = false, first_after_run_ = false;
+  std::int64_t next_turn_ = 0;
+  std::uint16_t telegrams_ = 0;
+};
+
+}  // namespace scanway::simulator
