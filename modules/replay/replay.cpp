@@ -13,14 +13,18 @@
 #include "common/messages/objects.h"
 #include "common/messages/params_message.h"
 #include "common/messages/rigid.h"
+#include "scanway/laser_line_t.hpp"
 #include "scanway/reference_pose_t.hpp"
 #include "scanway/sweep_inputs_t.hpp"
+#include "scanway/sweep_mark_t.hpp"
 
 namespace scanway {
 namespace {
 
 /// What a robot measures and people ask for. All else in a log is derived from it.
-constexpr const Channel* kInputs[] = {&channel::kImu, &channel::kSweep, &channel::kReferencePose, &channel::kGoal};
+constexpr const Channel* kInputs[] = {&channel::kImu,       &channel::kPanTiltState,  &channel::kLaserLine,
+                                      &channel::kSweepMark, &channel::kReferencePose, &channel::kSweep,
+                                      &channel::kGoal};
 /// The key of a live mapper's own PARAMS; an imported log's is kParamsKey.
 constexpr const char* kMapper = "mapper";
 
@@ -34,11 +38,42 @@ bool is_input(std::string_view name) {
 void note(const sweep_inputs_t& inputs, ListedOrientations& listed) {
   std::optional<std::uint64_t> imu;
   for (const input_span_t& input : inputs.inputs) {
-    if (input.channel == channel::kImu.name && input.used_count == 1)
-      imu = static_cast<std::uint64_t>(input.used_digest);
+    if (input.channel != channel::kImu.name) continue;
+    if (input.used_count > 1) return;  // Of an assembled sweep, whose orientation no single message has.
+    if (input.used_count == 1) imu = static_cast<std::uint64_t>(input.used_digest);
   }
   listed[static_cast<std::uint64_t>(inputs.sweep_digest)] = imu;
 }
+
+/// Which sweeps can be made of what a log holds.
+class RawSweeps {
+ public:
+  void take(const LogEvent& event) {
+    try {
+      if (event.channel == channel::kLaserLine.name) lines_.insert(decode<laser_line_t>(event.bytes).utime);
+      if (event.channel != channel::kSweepMark.name) return;
+      const auto mark = decode<sweep_mark_t>(event.bytes);
+      if (mark.mark == sweep_mark_t::STARTED) started_[{mark.numbered_since, mark.sweep}] = mark.utime;
+      if (mark.mark == sweep_mark_t::ENDED) ended_[{mark.numbered_since, mark.sweep}] = mark.utime;
+    } catch (const BadMessage&) {
+      // The assembler gets it too, and counts it.
+    }
+  }
+  AssembledSweeps assembled() const {
+    AssembledSweeps sweeps;
+    for (const auto& [number, ended] : ended_) {
+      const auto started = started_.find(number);
+      if (started == started_.end()) continue;
+      const auto line = lines_.lower_bound(started->second);
+      if (line != lines_.end() && *line <= ended) sweeps.emplace(assembled_key(number.second), ended);
+    }
+    return sweeps;
+  }
+
+ private:
+  std::map<std::pair<std::int64_t, std::int64_t>, Utime> started_, ended_;
+  std::set<Utime> lines_;
+};
 
 PathReport path_report(const std::optional<path_t>& path) {
   if (!path) return {};
@@ -52,7 +87,9 @@ LogStory story_of_log(const std::string& path) {
   LogStory story;
   ObjectAssembler params;
   std::set<std::string> known;
+  RawSweeps raw;
   while (const auto event = log.next()) {
+    raw.take(*event);
     try {
       if (event->channel == channel::kSweepInputs.name) note(decode<sweep_inputs_t>(event->bytes), story.orientations);
       if (event->channel != channel::kParams.name) continue;
@@ -65,6 +102,7 @@ LogStory story_of_log(const std::string& path) {
                        "; name a robot file with --robot");
     }
   }
+  story.assembled = raw.assembled();
   return story;
 }
 
@@ -79,13 +117,16 @@ std::vector<std::pair<std::string, double>> Replay::ScanTimer::finish_scan() {
   return seconds;
 }
 
-Replay::Replay(const Robot& robot, LogWriter& recording, ListedOrientations listed)
+Replay::Replay(const Robot& robot, LogWriter& recording, LogStory story)
     : robot_(robot),
       bus_(recording),
       scan_timer_(run_timer_),
+      assembled_(std::move(story.assembled)),
       mapper_(bus_, robot, &scan_timer_),
+      assembler_(
+          bus_, robot, [this](SweepOrigin origin) { mapper_.expect(std::move(origin)); }, false),
       planner_(bus_, robot, &run_timer_) {
-  mapper_.use(std::move(listed));
+  mapper_.use(std::move(story.orientations));
   bus_.subscribe(channel::kRegistration.name, [this](const BusMessage& message) { note_scan(message); });
   bus_.subscribe(channel::kReferencePose.name, [this](const BusMessage& message) { note_reference(message); });
 }
@@ -93,14 +134,26 @@ Replay::Replay(const Robot& robot, LogWriter& recording, ListedOrientations list
 void Replay::run(LogReader& log, const std::function<void(double)>& progress) {
   for (bool first = true; const auto event = log.next();) {
     if (std::exchange(first, false)) tell_params(event->utime);
-    if (!is_input(event->channel)) continue;
+    if (!is_input(event->channel) || is_left_aside(*event)) continue;
     bus_.feed(event->channel, event->bytes, event->utime);
     if (progress) progress(static_cast<double>(event->offset) / static_cast<double>(log.file_bytes()));
   }
+  assembler_.finish();
+  bus_.dispatch();
   mapper_.finish();
   bus_.dispatch();
   planner_.finish();
   bus_.dispatch();
+}
+
+bool Replay::is_left_aside(const LogEvent& event) const {
+  if (event.channel != channel::kSweep.name || assembled_.empty()) return false;
+  try {
+    const auto piece = decode<piece_t>(event.bytes);
+    return assembled_.contains({piece.key, piece.version});
+  } catch (const BadMessage&) {
+    return false;  // The mapper counts it.
+  }
 }
 
 void Replay::tell_params(Utime begin) {
@@ -134,6 +187,7 @@ void Replay::note_reference(const BusMessage& bytes) {
 
 std::map<std::string, std::int64_t> Replay::counters() const {
   std::map<std::string, std::int64_t> counters = mapper_.counters();
+  counters.merge(assembler_.counters());
   counters.merge(planner_.counters());
   return counters;
 }

@@ -3,13 +3,16 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "common/bus/log_reader.h"
 #include "common/progress/stage_timer.h"
 #include "common/robot/robot.h"
 #include "modules/mapper/node/mapper_node.h"
+#include "modules/mapper/node/sweep_assembler.h"
 #include "modules/planner/node/planner_node.h"
 #include "modules/replay/replay_bus.h"
 #include "modules/replay/report.h"
@@ -17,10 +20,14 @@
 
 namespace scanway {
 
+/// Sweeps that an assembler made, by key and version of their objects.
+using AssembledSweeps = std::set<std::pair<std::string, std::int64_t>>;
+
 /// What a log says of how it came about.
 struct LogStory {
   std::optional<Robot> robot;       ///< The mapper's first PARAMS, or else the log's first; nothing if there is none.
   ListedOrientations orientations;  ///< By SWEEP_INPUTS.
+  AssembledSweeps assembled;        ///< Whose lines and marks the log holds: they are made of these again.
 };
 
 /// Throws InputError for a configuration that cannot be read.
@@ -30,8 +37,9 @@ LogStory story_of_log(const std::string& path);
 class Replay {
  public:
   /// `recording` gets the log's inputs, `robot` as the PARAMS in force, and all that the nodes publish; it must outlive
-  /// this. A sweep of `listed` gets the orientation that it had when it was recorded.
-  Replay(const Robot& robot, LogWriter& recording, ListedOrientations listed = {});
+  /// this. A sweep of `story.orientations` gets the orientation that it had when it was recorded; one of
+  /// `story.assembled` is made of its lines, and what the log holds of it on SWEEP is left aside.
+  Replay(const Robot& robot, LogWriter& recording, LogStory story = {});
 
   /// Feeds the whole log. `progress` is told how far it is, from 0 to 1, now and then.
   void run(LogReader& log, const std::function<void(double)>& progress = {});
@@ -55,6 +63,7 @@ class Replay {
     StageTimer scan_;
   };
 
+  bool is_left_aside(const LogEvent& event) const;
   void tell_params(Utime begin);
   void note_scan(const BusMessage& verdict);
   void note_reference(const BusMessage& reference);
@@ -64,7 +73,9 @@ class Replay {
   ReplayBus bus_;
   StageTimer run_timer_;
   ScanTimer scan_timer_;
+  const AssembledSweeps assembled_;
   MapperNode mapper_;
+  SweepAssembler assembler_;
   PlannerNode planner_;
   std::vector<ScanReport> scans_;
   std::map<std::string, Pose> references_;

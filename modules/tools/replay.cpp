@@ -29,7 +29,7 @@ int run_replay(const ReplayOptions& options) {
   const ProductFolder folder(options.output);
 
   LogWriter recording(folder.path_of("out.lcmlog"));
-  Replay replay(robot.value_or(Robot{}), recording, std::move(story.orientations));
+  Replay replay(robot.value_or(Robot{}), recording, std::move(story));
   {
     ProgressBar bar("replaying " + printable(options.log));
     replay.run(log, [&bar](double share) { bar.show(share); });

@@ -108,7 +108,8 @@ void MapperNode::take_piece(const BusMessage& message) {
     const Utime utime = sweep.utime;
     object.utime = utime;
     if (store_ == nullptr) object.bytes = {};
-    inputs_.add(kSweepInput, utime, ArrivedSweep{std::move(sweep), std::move(object)});
+    ++waiting_sweeps_;
+    if (!inputs_.add(kSweepInput, utime, ArrivedSweep{std::move(sweep), std::move(object)})) --waiting_sweeps_;
   });
 }
 
@@ -116,6 +117,7 @@ void MapperNode::work_on(Input&& input) {
   if (const auto* orientation = std::get_if<Orientation>(&input)) {
     newest_orientation_ = *orientation;
   } else {
+    --waiting_sweeps_;
     add_sweep(std::get<ArrivedSweep>(std::move(input)));
   }
 }
@@ -124,7 +126,19 @@ bool MapperNode::is_listed(std::uint64_t imu) const {
   return std::any_of(listed_.begin(), listed_.end(), [imu](const auto& sweep) { return sweep.second == imu; });
 }
 
+void MapperNode::expect(SweepOrigin origin) {
+  const auto name = static_cast<std::uint64_t>(origin.inputs.sweep_digest);
+  origins_.insert_or_assign(name, std::move(origin));
+}
+
 std::optional<MapperNode::Orientation> MapperNode::orientation_for(const ArrivedSweep& arrived) const {
+  if (const auto origin = origins_.find(arrived.object.digest); origin != origins_.end()) {
+    const auto& R_world_sweep = origin->second.R_world_sweep;
+    if (!R_world_sweep) return std::nullopt;
+    // As it is kept for a mapper that is started again.
+    const auto imu = imu_message(arrived.sweep.utime, *R_world_sweep);
+    return Orientation{arrived.sweep.utime, orientation_of(imu), encode(imu)};
+  }
   if (const auto listed = listed_.find(arrived.object.digest); listed != listed_.end()) {
     const auto known = listed->second ? listed_arrived_.find(*listed->second) : listed_arrived_.end();
     return known == listed_arrived_.end() ? std::nullopt : std::optional(known->second);
@@ -150,8 +164,9 @@ void MapperNode::add_sweep(ArrivedSweep&& arrived) {
 void MapperNode::keep(const Object& sweep, const std::optional<Orientation>& orientation) {
   if (store_ == nullptr) return;
   try {
-    store_->keep(sweep,
-                 orientation ? std::span<const std::uint8_t>(orientation->message) : std::span<const std::uint8_t>());
+    const auto origin = origins_.find(sweep.digest);
+    const auto inputs = origin == origins_.end() ? std::vector<std::uint8_t>() : encode(origin->second.inputs);
+    store_->keep(sweep, orientation ? orientation->message : std::vector<std::uint8_t>(), inputs);
     store_trouble_.clear();
   } catch (const InputError& error) {
     store_trouble_ = std::string("sweeps are not kept: ") + error.what();
@@ -165,6 +180,7 @@ void MapperNode::restore(const SweepStore& store) {
       while (const auto event = log.next()) {
         const BusMessage message{event->channel, event->bytes, event->utime};
         if (event->channel == channel::kImu.name) take_imu(message);
+        if (event->channel == channel::kSweepInputs.name) take_origin(message);
         if (event->channel == channel::kSweep.name) take_piece(message);
       }
       if (!log.trouble().empty()) store_trouble_ = path + ": " + log.trouble();
@@ -176,9 +192,23 @@ void MapperNode::restore(const SweepStore& store) {
   store_ = &store;
 }
 
+/// As keep() wrote it: after the orientation.
+void MapperNode::take_origin(const BusMessage& message) {
+  try {
+    SweepOrigin origin{decode<sweep_inputs_t>(message.bytes), std::nullopt};
+    inputs_.flush();
+    if (newest_orientation_ && newest_orientation_->utime == origin.inputs.utime) {
+      origin.R_world_sweep = newest_orientation_->R_world_sweep;
+    }
+    expect(std::move(origin));
+  } catch (const BadMessage&) {
+    ++bad_messages_;
+  }
+}
+
 void MapperNode::settle(bool sweeps_expected) {
   if (!sweeps_expected) sweeps_.give_up_all();
-  settled_in_silence_ += static_cast<std::int64_t>(inputs_.waiting());
+  settled_in_silence_ += waiting_sweeps_;
   inputs_.flush();
 }
 
@@ -187,7 +217,7 @@ map_state_t MapperNode::state() const {
   state.utime = map_utime_;
   state.map_version = static_cast<std::int64_t>(mapper_.map().version());
   state.map_digest = publisher_.cost_map_digest();
-  state.settled = inputs_.waiting() == 0 && sweeps_.incomplete().empty();
+  state.settled = waiting_sweeps_ == 0 && sweeps_.incomplete().empty();
   return state;
 }
 
@@ -201,7 +231,7 @@ std::string MapperNode::summary() const {
   if (const std::uint64_t given_up = sweeps_.counters().given_up; given_up > 0) {
     sentences.push_back(fmt::format("{} sweeps never became whole and are not in the map", given_up));
   }
-  if (inputs_.waiting() > 0) sentences.push_back("a sweep or orientation waits for later data");
+  if (waiting_sweeps_ > 0) sentences.push_back("a sweep waits for later data");
   if (without_orientation_ > 0) {
     sentences.push_back(fmt::format("{} sweeps had no orientation (IMU)", without_orientation_));
   }
@@ -209,21 +239,25 @@ std::string MapperNode::summary() const {
 }
 
 sweep_inputs_t MapperNode::inputs_of(const ArrivedSweep& arrived) const {
+  if (const auto origin = origins_.find(arrived.object.digest); origin != origins_.end()) return origin->second.inputs;
   sweep_inputs_t message{};
   message.utime = arrived.sweep.utime;
   message.sweep_name = arrived.sweep.name;
   message.sweep_digest = static_cast<std::int64_t>(arrived.object.digest);
+  message.inputs = {imu_span()};
+  message.ninputs = 1;
+  return message;
+}
+
+input_span_t MapperNode::imu_span() const {
   input_span_t imu{};
   imu.channel = channel::kImu.name;
   imu.late_count = static_cast<std::int64_t>(inputs_.late(kImuInput));
-  if (orientation_) {
-    imu.first_utime = imu.last_utime = orientation_->utime;
-    imu.used_count = 1;
-    imu.used_digest = static_cast<std::int64_t>(digest(orientation_->message));
-  }
-  message.inputs.push_back(imu);
-  message.ninputs = static_cast<std::int16_t>(message.inputs.size());
-  return message;
+  if (!orientation_) return imu;
+  imu.first_utime = imu.last_utime = orientation_->utime;
+  imu.used_count = 1;
+  imu.used_digest = static_cast<std::int64_t>(digest(orientation_->message));
+  return imu;
 }
 
 void MapperNode::publish_result(const SweepResult& result, const Sweep& sweep) {

@@ -20,6 +20,7 @@
 #include "common/progress/stages.h"
 #include "modules/mapper/core/mapper.h"
 #include "modules/mapper/node/map_publisher.h"
+#include "modules/mapper/node/sweep_assembler.h"
 #include "modules/mapper/node/sweep_store.h"
 #include "scanway/map_state_t.hpp"
 #include "scanway/sweep_inputs_t.hpp"
@@ -46,6 +47,9 @@ class MapperNode {
 
   /// A sweep that `listed` names gets the orientation that is named there, whatever came when. For replay.
   void use(ListedOrientations listed) { listed_ = std::move(listed); }
+  /// A sweep that was assembled here, before its pieces come: it has the orientation of its own time, and SWEEP_INPUTS
+  /// says what it was made of.
+  void expect(SweepOrigin origin);
   /// `finished` is told of each sweep, by its name and time, when all of its products are published.
   void on_finished(std::function<void(std::string_view, Utime)> finished) { finished_ = std::move(finished); }
 
@@ -84,8 +88,10 @@ class MapperNode {
   void work_on(Input&& input);
   void add_sweep(ArrivedSweep&& arrived);
   sweep_inputs_t inputs_of(const ArrivedSweep& arrived) const;
+  input_span_t imu_span() const;
   void publish_result(const SweepResult& result, const Sweep& sweep);
   void keep(const Object& sweep, const std::optional<Orientation>& orientation);
+  void take_origin(const BusMessage& message);
 
   Bus& bus_;
   StageListener* stages_;
@@ -95,11 +101,13 @@ class MapperNode {
   OrderedMerge<Input> inputs_;
   std::optional<Orientation> newest_orientation_;  // That the merge let go.
   std::optional<Orientation> orientation_;         // Of the sweep that is worked on.
+  std::map<std::uint64_t, SweepOrigin> origins_;   // By the sweep's digest.
   ListedOrientations listed_;
   std::map<std::uint64_t, Orientation> listed_arrived_;  // By the digest of the message.
   std::function<void(std::string_view, Utime)> finished_;
   const SweepStore* store_ = nullptr;
   std::string store_trouble_;
+  std::int64_t waiting_sweeps_ = 0;
   std::size_t news_ = 0;
   Utime map_utime_ = 0;  // Of the newest sweep in the map.
   std::int64_t settled_in_silence_ = 0;

@@ -22,10 +22,12 @@ constexpr const char* kExtension = ".lcmlog";
 
 SweepStore::SweepStore(std::string folder) : folder_(ProductFolder(std::move(folder)).path()) {}
 
-void SweepStore::keep(const Object& sweep, std::span<const std::uint8_t> imu) const {
+void SweepStore::keep(const Object& sweep, std::span<const std::uint8_t> imu,
+                      std::span<const std::uint8_t> inputs) const {
   LogWriter log(path_of(sweep));
   LogBus bus(log);
   if (!imu.empty()) bus.publish(channel::kImu.name, imu, sweep.utime);
+  if (!inputs.empty()) bus.publish(channel::kSweepInputs.name, inputs, sweep.utime);
   publish_object(bus, channel::kSweep, sweep.bytes, sweep.key, sweep.version, sweep.utime);
   log.close();
 }

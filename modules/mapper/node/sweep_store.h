@@ -16,9 +16,9 @@ class SweepStore {
   /// Makes the folder. Throws InputError.
   explicit SweepStore(std::string folder);
 
-  /// `imu`: the message whose orientation the sweep uses; empty: none. Whole on the disk when this returns. Throws
-  /// InputError.
-  void keep(const Object& sweep, std::span<const std::uint8_t> imu) const;
+  /// `imu`: a message with the orientation that the sweep uses; empty: none. `inputs`: the SWEEP_INPUTS of a sweep that
+  /// was assembled; else empty. Whole on the disk when this returns. Throws InputError.
+  void keep(const Object& sweep, std::span<const std::uint8_t> imu, std::span<const std::uint8_t> inputs = {}) const;
   bool has(const Object& sweep) const;
   /// The sweep did not get into the map.
   void drop(const Object& sweep) const;

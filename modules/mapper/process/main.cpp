@@ -12,6 +12,7 @@
 #include "common/process/work_timer.h"
 #include "modules/mapper/node/arrival_keeper.h"
 #include "modules/mapper/node/mapper_node.h"
+#include "modules/mapper/node/sweep_assembler.h"
 
 namespace scanway {
 namespace {
@@ -26,6 +27,14 @@ void restore(LiveBus& bus, MapperNode& node, const SweepStore& store) {
   bus.hold(true);
   node.restore(store);
   bus.hold(false);
+}
+
+void tell_health(LiveBus& bus, const MapperNode& node, const SweepAssembler& assembler) {
+  auto counters = node.counters();
+  counters.merge(assembler.counters());
+  const std::string of_node = node.summary(), of_assembler = assembler.summary();
+  const bool both = !of_node.empty() && !of_assembler.empty();
+  bus.report(std::move(counters), of_assembler + (both ? "; " : "") + of_node);
 }
 
 int run(const ProgramOptions& options) {
@@ -48,6 +57,7 @@ int run(const ProgramOptions& options) {
   WorkTimer timer(bus);
   ParamsTeller params(bus, who.process, robot, who.start);
   MapperNode node(bus, robot, &timer);
+  SweepAssembler assembler(bus, robot, [&node](SweepOrigin origin) { node.expect(std::move(origin)); });
   node.on_finished([&](std::string_view sweep, Utime utime) {
     timer.finish(sweep, utime);
     params.tell();
@@ -57,11 +67,16 @@ int run(const ProgramOptions& options) {
   params.tell();
   if (store) restore(bus, node, *store);
   spdlog::info("ready: map version {}", node.mapper().map().version());
-  serve(bus, {[&node] { return node.news(); }, [&bus, &node] { node.settle(bus.lacks(channel::kSweep.name)); },
-              [&bus, &node] {
-                const map_state_t state = node.state();
+  serve(bus, {[&] { return node.news() + assembler.news(); },
+              [&] {
+                assembler.settle();
+                node.settle(bus.lacks(channel::kSweep.name));
+              },
+              [&] {
+                map_state_t state = node.state();
+                state.settled = state.settled && !assembler.busy();
                 bus.publish(channel::kMapState.name, encode(state), state.utime);
-                bus.report(node.counters(), node.summary());
+                tell_health(bus, node, assembler);
               }});
   spdlog::info("ended at map version {}", node.mapper().map().version());
   return 0;

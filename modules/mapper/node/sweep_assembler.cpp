@@ -1,0 +1,326 @@
+#include "modules/mapper/node/sweep_assembler.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "common/files/printable.h"
+#include "common/messages/codec.h"
+#include "common/messages/digest.h"
+#include "common/messages/imu_message.h"
+#include "common/messages/objects.h"
+#include "common/messages/sweep_message.h"
+#include "modules/mapper/node/raw_input.h"
+
+namespace scanway {
+namespace {
+
+/// Data that is not asked for again comes within this, or not at all.
+constexpr Utime kBound = kMicrosecondsPerSecond;
+/// Lines are asked for again, for most of the minute that the bridge keeps them.
+constexpr Utime kLineBound = 40 * kMicrosecondsPerSecond;
+constexpr Utime kAskEvery = 50'000;
+constexpr Utime kInFlight = 100'000;    // From a line's end to the arrival of its last piece.
+constexpr Utime kLongestLine = 50'000;  // At 25 Hz the mirror turns in 40 ms.
+constexpr Utime kBeforeStart = 2 * kMicrosecondsPerSecond;
+constexpr Utime kHistory = 300 * kMicrosecondsPerSecond;  // Kept outside sweeps: the marks may come late.
+constexpr Utime kMaxUtime = Utime{1} << 60;               // Messages say what they like; sums must not overflow.
+constexpr std::size_t kMostLineBytes = std::size_t{256} << 20;
+constexpr std::size_t kMostDone = 1000;
+constexpr int kMostSilences = 5;
+constexpr double kDegreesPerRadian = 57.29577951308232;
+
+template <class T>
+std::vector<T> decoded(const RawChannel::Messages& messages) {
+  std::vector<T> all;
+  for (const RawChannel::Message* message : messages) all.push_back(decode<T>(message->second));
+  return all;
+}
+
+}  // namespace
+
+std::string assembled_key(std::int64_t sweep) { return fmt::format("sweep_{}", sweep); }
+
+SweepAssembler::SweepAssembler(Bus& bus, const Robot& robot, std::function<void(SweepOrigin)> assembled, bool ask)
+    : bus_(bus), robot_(robot), assembled_(std::move(assembled)), ask_(ask), lines_{RawChannel(kMostLineBytes)} {
+  listen(channel::kImu, &SweepAssembler::take_imu);
+  listen(channel::kPanTiltState, &SweepAssembler::take_angles);
+  listen(channel::kLaserLine, &SweepAssembler::take_line);
+  listen(channel::kSweepMark, &SweepAssembler::take_mark);
+}
+
+template <class T>
+void SweepAssembler::listen(const Channel& channel, void (SweepAssembler::*use)(const T&, const BusMessage&)) {
+  bus_.subscribe(channel.name, [this, use](const BusMessage& bytes) {
+    try {
+      const T message = decode<T>(bytes.bytes);
+      if (message.utime < 0 || message.utime > kMaxUtime) throw BadMessage("a time that is none");
+      (this->*use)(message, bytes);
+      work();
+    } catch (const BadMessage&) {
+      ++bad_messages_;
+    }
+  });
+}
+
+void SweepAssembler::keep(Input& input, Utime utime, const BusMessage& message) {
+  ++news_;
+  silences_ = 0;
+  if (!input.messages.add(utime, message.bytes)) return;
+  newest_ = std::max(newest_, utime);
+  if (utime <= closed_ && !(&input == &lines_ && closed_whole_)) ++input.late;
+  forget();
+}
+
+void SweepAssembler::take_line(const laser_line_t& line, const BusMessage& message) {
+  if (line.echo != 0) return;
+  const LinePiece piece = piece_of(line);
+  const double lasts_us = piece.line.beam_period_us * piece.beams_of_line;
+  if (lasts_us > static_cast<double>(kLongestLine) || !collector_.add(piece)) throw BadMessage("not of its line");
+  if (std::exchange(numbered_since_, line.numbered_since) != line.numbered_since) line_times_.clear();
+  line_times_.try_emplace(line.line, line.utime, line.utime + static_cast<Utime>(lasts_us));
+  keep(lines_, line.utime, message);
+}
+
+void SweepAssembler::take_angles(const bot_core::joint_state_t& state, const BusMessage& message) {
+  keep(angles_, angles_of(state).utime, message);
+}
+
+void SweepAssembler::take_imu(const bot_core::ins_t& imu, const BusMessage& message) {
+  orientation_of(imu);
+  keep(imu_, imu.utime, message);
+}
+
+void SweepAssembler::take_mark(const sweep_mark_t& mark, const BusMessage& message) {
+  const Number number{mark.numbered_since, mark.sweep};
+  if (done_.contains(number)) return;
+  if (mark.mark != sweep_mark_t::STARTED && mark.mark != sweep_mark_t::ENDED && mark.mark != sweep_mark_t::ABORTED) {
+    throw BadMessage("SWEEP_MARK that marks nothing");
+  }
+  keep(marks_, mark.utime, message);
+  if (mark.mark == sweep_mark_t::ABORTED) {
+    ++aborted_;
+    last_note_ = fmt::format("{} was given up by the pan-tilt: {}", assembled_key(mark.sweep), printable(mark.reason));
+    done_.insert(number);
+    open_.erase(number);
+    return;
+  }
+  OpenSweep& sweep = open_[number];
+  (mark.mark == sweep_mark_t::STARTED ? sweep.started : sweep.ended) = mark.utime;
+  if (mark.mark == sweep_mark_t::STARTED) drop_never_ended(number);
+}
+
+/// The pan-tilt makes one sweep after the other.
+void SweepAssembler::drop_never_ended(const Number& but) {
+  const Utime started = *open_.at(but).started;
+  for (auto one = open_.begin(); one != open_.end();) {
+    const auto& [number, sweep] = *one;
+    const bool ends = sweep.ended || !sweep.started || *sweep.started >= started;
+    if (!ends) {
+      ++never_ended_;
+      last_note_ = assembled_key(number.second) + " never ended";
+      done_.insert(number);
+    }
+    one = ends ? std::next(one) : open_.erase(one);
+  }
+}
+
+bool SweepAssembler::busy() const {
+  return std::any_of(open_.begin(), open_.end(), [](const auto& one) { return one.second.started.has_value(); });
+}
+
+void SweepAssembler::work() {
+  if (newest_ >= next_ask_) {
+    ask_for_lines();
+    next_ask_ = newest_ + kAskEvery;
+  }
+  for (auto one = open_.begin(); one != open_.end();) {
+    const auto [number, sweep] = *one++;
+    if (sweep.ready() && (is_complete(sweep) || is_given_up(sweep))) make(number, sweep);
+    if (!sweep.started && newest_ > *sweep.ended + kLineBound) {
+      ++never_started_;
+      done_.insert(number);
+      open_.erase(number);
+    }
+  }
+}
+
+void SweepAssembler::finish() {
+  for (auto one = open_.begin(); one != open_.end();) {
+    const auto [number, sweep] = *one++;
+    if (sweep.ready()) make(number, sweep);
+  }
+}
+
+void SweepAssembler::settle() {
+  asker_.hurry();
+  ask_for_lines();
+  const bool hopeless = std::all_of(open_.begin(), open_.end(), [this](const auto& one) {
+    return !one.second.ready() || missing_lines(one.second).empty();
+  });
+  if (hopeless || !ask_ || ++silences_ > kMostSilences) finish();
+}
+
+void SweepAssembler::ask_for_lines() {
+  if (!ask_) return;
+  for (const auto& [number, sweep] : open_) {
+    if (!sweep.started) continue;
+    const auto request = asker_.ask(missing_lines(sweep), numbered_since_, newest_);
+    if (request) bus_.publish(channel::kLineRequest.name, encode(*request), request->utime);
+  }
+}
+
+/// Of the sweep, as far as it has come.
+LineStretches SweepAssembler::missing_lines(const OpenSweep& sweep) const {
+  LineStretches wanted = missing_at_edges(sweep);
+  for (const auto& stretch : collector_.missing()) {
+    const auto behind = line_times_.upper_bound(stretch.second);
+    const auto at = line_times_.lower_bound(stretch.first);
+    const auto ahead = at == line_times_.begin() ? at : std::prev(at);
+    const bool last = behind == line_times_.end();
+    if (last && line_times_.rbegin()->second.end + kInFlight >= newest_ && silences_ == 0) continue;
+    if (!last && behind->second.begin < *sweep.started) continue;
+    if (ahead != line_times_.end() && sweep.ended && ahead->second.begin > *sweep.ended) continue;
+    wanted.push_back(stretch);
+  }
+  return wanted;
+}
+
+/// Before the first line that came, and behind the last.
+LineStretches SweepAssembler::missing_at_edges(const OpenSweep& sweep) const {
+  if (line_times_.size() < 2) return {};
+  const auto& [first, first_time] = *line_times_.begin();
+  const auto& [last, last_time] = *line_times_.rbegin();
+  const Utime period = std::max<Utime>(1, (last_time.begin - first_time.begin) / (last - first));
+  LineStretches edges;
+  const Utime lacks_ahead = (first_time.begin - *sweep.started) / period;
+  if (lacks_ahead > 0 && first > 0) edges.emplace_back(std::max<std::int64_t>(0, first - lacks_ahead), first - 1);
+  if (!sweep.ended || newest_ < *sweep.ended + kInFlight) return edges;
+  const Utime lacks_behind = (*sweep.ended - last_time.begin) / period;
+  if (lacks_behind > 0) edges.emplace_back(last + 1, last + lacks_behind);
+  return edges;
+}
+
+bool SweepAssembler::is_complete(const OpenSweep& sweep) const {
+  const Utime ended = *sweep.ended;
+  const auto reaches = [&](const Input& input) { return input.messages.newest().value_or(0) >= ended; };
+  return reaches(angles_) && reaches(imu_) && !line_times_.empty() && line_times_.rbegin()->second.end >= ended &&
+         missing_lines(sweep).empty();
+}
+
+bool SweepAssembler::is_given_up(const OpenSweep& sweep) const {
+  if (newest_ <= *sweep.ended + kBound) return false;
+  return newest_ > *sweep.ended + kLineBound || missing_lines(sweep).empty();
+}
+
+void SweepAssembler::make(const Number& number, const OpenSweep& sweep) {
+  done_.insert(number);
+  open_.erase(number);
+  while (done_.size() > kMostDone) done_.erase(done_.begin());
+  const Utime started = *sweep.started, ended = *sweep.ended;
+  const auto lines = lines_.messages.from_to(started - kLongestLine, ended);
+  const auto angles = angles_.messages.around(started, ended);
+  const auto imu = imu_.messages.from_to(started, ended);
+  const auto marks = marks_.messages.from_to(started, ended);
+
+  AssemblyInput input{number.second, started, ended, {}, {}, {}};
+  LineCollector collector;
+  for (const auto& line : decoded<laser_line_t>(lines)) collector.add(piece_of(line));
+  input.lines = collector.take();
+  for (const auto& state : decoded<bot_core::joint_state_t>(angles)) input.angles.push_back(angles_of(state));
+  for (const auto& one : decoded<bot_core::ins_t>(imu)) input.orientations.push_back({one.utime, orientation_of(one)});
+  const AssembledSweep assembled = assemble(input, robot_);
+  note(assembled);
+
+  sweep_inputs_t inputs{};
+  inputs.inputs = {
+      span_of(channel::kImu.name, imu, imu_.late), span_of(channel::kPanTiltState.name, angles, angles_.late),
+      span_of(channel::kLaserLine.name, lines, lines_.late), span_of(channel::kSweepMark.name, marks, marks_.late)};
+  inputs.ninputs = static_cast<std::int16_t>(inputs.inputs.size());
+  closed_whole_ = assembled.report.missing_lines == 0 && assembled.report.missing_beams == 0;
+  closed_ = std::max(closed_, ended);
+  if (assembled.report.points > 0) publish(assembled, ended, std::move(inputs));
+  forget();
+}
+
+void SweepAssembler::publish(const AssembledSweep& assembled, Utime ended, sweep_inputs_t inputs) {
+  const Sweep& sweep = assembled.sweep;
+  const auto bytes = encode(to_message(sweep));
+  inputs.utime = sweep.utime;
+  inputs.sweep_name = sweep.name;
+  inputs.sweep_digest = static_cast<std::int64_t>(digest(bytes));
+  assembled_({std::move(inputs), sweep.R_world_sweep});
+  publish_object(bus_, channel::kSweep, bytes, sweep.name, ended, sweep.utime);
+}
+
+void SweepAssembler::note(const AssembledSweep& assembled) {
+  const AssemblyReport& report = assembled.report;
+  ++sweeps_;
+  missing_ += report.missing_lines;
+  missing_beams_ += report.missing_beams;
+  without_angle_ += report.without_angle;
+  std::vector<std::string> sentences;
+  if (report.points == 0) {
+    ++empty_;
+    sentences.push_back("holds no point");
+  }
+  if (report.missing_lines > 0) sentences.push_back(fmt::format("lacks {} lines", report.missing_lines));
+  if (report.missing_beams > 0) sentences.push_back(fmt::format("lacks {} beams of others", report.missing_beams));
+  if (report.without_angle > 0) sentences.push_back(fmt::format("{} beams have no pan angle", report.without_angle));
+  if (report.steadiness.moved) {
+    ++moved_;
+    sentences.push_back(fmt::format("the robot moved during it, by {:.2f} degrees as the tracker says",
+                                    report.steadiness.largest_turn_rad * kDegreesPerRadian));
+  }
+  last_note_.clear();
+  if (!sentences.empty()) last_note_ = fmt::format("{}: {}", assembled.sweep.name, fmt::join(sentences, ", "));
+}
+
+/// What no sweep will be made of any more.
+void SweepAssembler::forget() {
+  const auto floor = [this](const Input& input) {
+    const Utime history = busy() ? 0 : input.messages.newest().value_or(0) - kHistory;
+    return std::max(closed_, history) - kBeforeStart;
+  };
+  for (Input* input : {&imu_, &angles_, &lines_, &marks_}) input->messages.forget_before(floor(*input));
+  collector_.take_before(floor(lines_));
+  while (!line_times_.empty() && line_times_.begin()->second.begin < floor(lines_)) {
+    line_times_.erase(line_times_.begin());
+  }
+  if (!line_times_.empty()) asker_.forget_before(line_times_.begin()->first);
+}
+
+std::map<std::string, std::int64_t> SweepAssembler::counters() const {
+  return {{"assembler_sweeps", sweeps_},
+          {"assembler_sweeps_aborted", aborted_},
+          {"assembler_sweeps_never_ended", never_ended_},
+          {"assembler_sweeps_never_started", never_started_},
+          {"assembler_sweeps_empty", empty_},
+          {"assembler_sweeps_moved", moved_},
+          {"assembler_missing_lines", missing_},
+          {"assembler_missing_beams", missing_beams_},
+          {"assembler_beams_without_angle", without_angle_},
+          {"assembler_line_requests", asker_.requests()},
+          {"assembler_lines_asked", asker_.lines_asked()},
+          {"assembler_repeated_pieces", static_cast<std::int64_t>(collector_.repeated_pieces())},
+          {"assembler_late_lines", lines_.late},
+          {"assembler_late_angles", angles_.late},
+          {"assembler_late_marks", marks_.late},
+          {"assembler_late_imu", imu_.late},
+          {"assembler_bad_messages", bad_messages_}};
+}
+
+std::string SweepAssembler::summary() const {
+  std::vector<std::string> sentences;
+  for (const auto& [number, sweep] : open_) {
+    if (!sweep.started) continue;
+    const std::string name = assembled_key(number.second);
+    sentences.push_back(sweep.ended ? name + " waits for its data" : name + " is under way");
+  }
+  if (!last_note_.empty()) sentences.push_back(last_note_);
+  return fmt::format("{}", fmt::join(sentences, "; "));
+}
+
+}  // namespace scanway
