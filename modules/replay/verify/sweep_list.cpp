@@ -11,6 +11,7 @@
 #include "scanway/cloud_tile_t.hpp"
 #include "scanway/cost_map_index_t.hpp"
 #include "scanway/cost_tile_t.hpp"
+#include "scanway/laser_line_t.hpp"
 #include "scanway/octomap_t.hpp"
 #include "scanway/sweep_t.hpp"
 
@@ -25,20 +26,36 @@ struct FoundInput {
   std::string missing;  ///< Empty: nothing.
 };
 
-/// The one message, or all messages of the span in the order of their times: whichever has the digest.
+std::string_view text_of_bytes(RecordedLog::Bytes bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+/// What an assembler has use for: of LASER_LINE the first echo.
+bool is_usable(std::string_view channel, RecordedLog::Bytes message) {
+  return channel != channel::kLaserLine.name || decode<laser_line_t>(message).echo == 0;
+}
+
+/// The one message, or all messages of the span in the order of their times, then of their bytes: whichever has the
+/// digest.
 FoundInput find_input(const RecordedLog& log, const input_span_t& input) {
   if (input.used_count <= 0) return {};
   const auto& all = log.messages(input.channel);
   const auto first = all.lower_bound(input.first_utime), end = all.upper_bound(input.last_utime);
+  std::vector<std::pair<Utime, RecordedLog::Bytes>> in_order;
+  for (auto one = first; one != end; ++one) {
+    if (input.used_count > 1 && is_usable(input.channel, one->second)) in_order.push_back(*one);
+    if (input.used_count == 1 && static_cast<std::int64_t>(digest(one->second)) == input.used_digest) {
+      return {{one->second}, {}};
+    }
+  }
+  std::ranges::sort(in_order, [](const auto& a, const auto& b) {
+    return a.first != b.first ? a.first < b.first : text_of_bytes(a.second) < text_of_bytes(b.second);
+  });
   std::vector<RecordedLog::Bytes> messages;
   std::vector<std::uint8_t> together;
-  for (auto one = first; one != end; ++one) {
-    if (input.used_count == 1) {
-      if (static_cast<std::int64_t>(digest(one->second)) == input.used_digest) return {{one->second}, {}};
-      continue;
-    }
-    messages.push_back(one->second);
-    together.insert(together.end(), one->second.begin(), one->second.end());
+  for (const auto& [utime, message] : in_order) {
+    messages.push_back(message);
+    together.insert(together.end(), message.begin(), message.end());
   }
   if (input.used_count > 1 && static_cast<std::int64_t>(digest(together)) == input.used_digest) return {messages, {}};
   if (input.used_count == 1) {

@@ -11,6 +11,7 @@
 #include "common/messages/codec.h"
 #include "common/messages/pose_message.h"
 #include "modules/mapper/node/mapper_node.h"
+#include "modules/mapper/node/sweep_assembler.h"
 #include "modules/replay/verify/configuration.h"
 #include "modules/replay/verify/derived_products.h"
 #include "modules/replay/verify/played.h"
@@ -22,11 +23,14 @@
 namespace scanway {
 namespace {
 
-/// A mapper that works on listed sweeps, one after the other.
+/// A mapper that works on listed sweeps, one after the other; those that were assembled are assembled again.
 class Rerun {
  public:
   /// `poses` gets where the robot stood.
-  Rerun(const Robot& robot, std::vector<Start>& poses) : mapper_(bus_, robot) {
+  Rerun(const Robot& robot, std::vector<Start>& poses)
+      : mapper_(bus_, robot),
+        assembler_(
+            bus_, robot, [this](SweepOrigin origin) { mapper_.expect(std::move(origin)); }, false) {
     derived_.listen(bus_);
     bus_.subscribe(channel::kPose.name, [&poses](const BusMessage& message) {
       const auto pose = decode<bot_core::pose_t>(message.bytes);
@@ -37,7 +41,11 @@ class Rerun {
   void add(const ListedSweep& sweep) {
     derived_.clear();
     for (const auto& [channel, message] : sweep.messages) bus_.publish(channel, message, sweep.utime);
-    for (const auto& [number, piece] : sweep.sweep->pieces()) bus_.publish(channel::kSweep.name, piece, sweep.utime);
+    bus_.dispatch();
+    assembler_.finish();
+    if (!is_assembled(sweep)) {
+      for (const auto& [number, piece] : sweep.sweep->pieces()) bus_.publish(channel::kSweep.name, piece, sweep.utime);
+    }
     bus_.dispatch();
     mapper_.finish();
     bus_.dispatch();
@@ -51,8 +59,14 @@ class Rerun {
   }
 
  private:
+  static bool is_assembled(const ListedSweep& sweep) {
+    const auto is_line = [](const auto& message) { return message.first == channel::kLaserLine.name; };
+    return std::ranges::any_of(sweep.messages, is_line);
+  }
+
   MemoryBus bus_;
   MapperNode mapper_;
+  SweepAssembler assembler_;
   DerivedProducts derived_;
 };
 
