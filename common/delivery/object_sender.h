@@ -22,7 +22,7 @@ namespace scanway {
 
 struct SenderLimits {
   double bytes_per_second = 4e6;
-  double burst_bytes = 64e3;
+  double burst_bytes = 16e3;
   std::size_t max_held_bytes = std::size_t{1} << 30;  ///< Of all objects that are kept for latecomers.
   std::size_t indices_a_turn = 20;                    ///< Messages of one announce().
 };

@@ -4,31 +4,13 @@
 
 #include "common/messages/digest.h"
 #include "common/messages/layout.h"
+#include "common/messages/wire_width.h"
 
 namespace scanway {
 
 namespace {
 
 using Kind = Layout::Kind;
-
-std::size_t width(Kind kind) {
-  switch (kind) {
-    case Kind::int8:
-      return 1;
-    case Kind::int16:
-      return 2;
-    case Kind::int32:
-    case Kind::float32:
-      return 4;
-    case Kind::int64:
-    case Kind::float64:
-      return 8;
-    case Kind::string:
-    case Kind::nested:
-      break;
-  }
-  return 0;
-}
 
 // Big-endian and signed, as lengths are.
 std::int64_t integer(std::span<const std::uint8_t> bytes) {
@@ -67,8 +49,8 @@ class Walker {
 
   bool walk_member(const Layout::Member& member, const Lengths& lengths, std::int64_t& value) {
     if (member.dimensions.empty() && is_integer(member.kind)) {
-      if (rest_.size() < width(member.kind)) return fail_short();
-      value = integer(rest_.first(width(member.kind)));
+      if (rest_.size() < wire_width(member.kind)) return fail_short();
+      value = integer(rest_.first(wire_width(member.kind)));
     }
     std::uint64_t count = 1;
     for (const Layout::Dimension& dimension : member.dimensions) {
@@ -85,7 +67,7 @@ class Walker {
 
   bool walk_elements(const Layout::Member& member, std::uint64_t count) {
     if (member.kind != Kind::string && member.kind != Kind::nested) {
-      return count * width(member.kind) <= rest_.size() ? advance(count * width(member.kind)) : fail_short();
+      return count * wire_width(member.kind) <= rest_.size() ? advance(count * wire_width(member.kind)) : fail_short();
     }
     for (std::uint64_t i = 0; i < count; ++i) {
       if (!(member.kind == Kind::string ? walk_string() : walk(*member.nested))) return false;

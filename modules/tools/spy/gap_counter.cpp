@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "common/messages/wire_width.h"
+
 namespace scanway::tools {
 namespace {
 
@@ -19,25 +21,6 @@ constexpr double kEvenShare = 0.8;
 constexpr double kEvenWithin = 0.25;
 constexpr double kGapFrom = 1.5;
 
-std::size_t width(Kind kind) {
-  switch (kind) {
-    case Kind::int8:
-      return 1;
-    case Kind::int16:
-      return 2;
-    case Kind::int32:
-    case Kind::float32:
-      return 4;
-    case Kind::int64:
-    case Kind::float64:
-      return 8;
-    case Kind::string:
-    case Kind::nested:
-      break;
-  }
-  return 0;
-}
-
 bool is_integer(Kind kind) { return kind <= Kind::int64; }
 
 }  // namespace
@@ -46,7 +29,7 @@ std::optional<std::int64_t> integer_member(const Layout& layout, std::span<const
                                            std::string_view name) {
   std::size_t offset = sizeof layout.hash;
   for (const Layout::Member& member : layout.members) {
-    const std::size_t size = width(member.kind);
+    const std::size_t size = wire_width(member.kind);
     if (size == 0 || !member.dimensions.empty()) return std::nullopt;
     if (member.name == name) {
       if (!is_integer(member.kind)) return std::nullopt;

@@ -4,32 +4,17 @@
 
 #include <sstream>
 
-#include "tests/live/support/session.h"
+#include "tests/live/support/session_test.h"
 
 namespace scanway::test {
 namespace {
 
 constexpr double kSoon = 5.0;  // seconds
 
-class TwoMachines : public testing::Test {
+class TwoMachines : public SessionTest {
  protected:
   using Counters = std::map<std::string, long>;
 
-  void SetUp() override {
-    if (!namespaces_permitted()) GTEST_SKIP() << "network namespaces are not permitted here (unshare --net)";
-  }
-  // Of what has versions: the newest.
-  static std::string newest(const std::string& lines) {
-    const std::size_t end = lines.find_last_not_of('\n');
-    return end == std::string::npos ? "" : lines.substr(lines.rfind('\n', end) + 1);
-  }
-  void expect_same_end_as_replay() {
-    for (const char* product : {"COST_MAP_INDEX index", "OCTOMAP map", "PATH point", "PATH footprint"}) {
-      EXPECT_EQ(newest(session_.observed(product)), newest(lines_of(ShortLog::get().products, product))) << product;
-    }
-    EXPECT_EQ(session_.observed("COST_MAP_TILE"), lines_of(ShortLog::get().products, "COST_MAP_TILE"));
-    if (HasFailure()) std::puts(session_.told().c_str());
-  }
   /// The number at the end of a file's line that has `word`; 0: there is none.
   double seconds_in(const std::string& file, const std::string& word) const {
     std::istringstream lines(session_.text(file));
@@ -118,7 +103,6 @@ class TwoMachines : public testing::Test {
     wait $pid_planner || status=1
     exit $status)"});
   }
-  const Session session_;
 };
 
 class Loss : public TwoMachines, public testing::WithParamInterface<int> {};
