@@ -59,7 +59,8 @@ int run_verify(const ReplayOptions& options) {
     verification = verify(
         options.log, robot, [&bar](double share) { bar.show(share); }, options.played);
   }
-  std::fputs(verification.text().c_str(), stdout);
+  std::fputs(verification.remarks().c_str(), stderr);
+  std::fputs(verification.findings().c_str(), stdout);
   return verification.status();
 }
 

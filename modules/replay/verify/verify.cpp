@@ -183,18 +183,23 @@ Verification::Status Verification::status() const {
   return missing.empty() && unused.empty() ? kEqual : kIncomplete;
 }
 
-std::string Verification::text() const {
+std::string Verification::findings() const {
   std::string text;
   if (!trouble.empty()) text += "damaged: the log is " + trouble + "\n";
   if (!difference.empty()) text += "different: " + difference + "\n";
   for (const std::string& input : missing) text += "missing: " + input + "\n";
   for (const std::string& input : unused) text += "not used: " + input + "\n";
-  for (const std::string& note : notes) text += "note: " + note + "\n";
   if (!holds_derived) return text + "nothing to verify: the log holds no derived object\n";
-  if (!difference.empty()) return text;
-  if (missing.empty()) return text + fmt::format("verified: {} objects of {} sweeps equal\n", products, sweeps);
+  if (!difference.empty() || missing.empty()) return text;
   return text +
          fmt::format("incomplete: {} of {} sweeps could be computed, {} objects equal\n", computed, sweeps, products);
+}
+
+std::string Verification::remarks() const {
+  std::string text;
+  for (const std::string& note : notes) text += "note: " + note + "\n";
+  if (!holds_derived || !difference.empty() || !missing.empty()) return text;
+  return text + fmt::format("verified: {} objects of {} sweeps equal\n", products, sweeps);
 }
 
 Verification verify(const std::string& log, const std::optional<Robot>& robot,

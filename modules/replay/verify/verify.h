@@ -24,8 +24,10 @@ struct Verification {
 
   enum Status { kEqual = 0, kDifferent = 1, kNothingDerived = 3, kIncomplete = 4 };
   Status status() const;
-  /// A line for each of the above: `different: ...`, `missing: ...`, `note: ...`, and what was found equal.
-  std::string text() const;
+  /// What is wrong or lacking, a line each: `different: ...`, `missing: ...`. Empty when all is equal.
+  std::string findings() const;
+  /// What else there is to know, a line each: `note: ...`, and what was found equal.
+  std::string remarks() const;
 };
 
 /// Computes anew what mapper and planner derived, from exactly the inputs that the log's SWEEP_INPUTS list, and

@@ -44,11 +44,12 @@ std::string digest_of(const EditedEvent& event) { return hex(digest(event.bytes)
 
 TEST(Verify, IsSilentOnAGoodLog) {
   const Verification verification = verify(session().path(), std::nullopt);
-  EXPECT_EQ(verification.status(), Verification::kEqual) << verification.text();
+  EXPECT_EQ(verification.status(), Verification::kEqual) << verification.findings();
   EXPECT_EQ(verification.computed, 2U);
   EXPECT_THAT(verification.notes, IsEmpty());
   EXPECT_GT(verification.products, 20U);
-  EXPECT_THAT(verification.text(), StartsWith("verified: "));
+  EXPECT_EQ(verification.findings(), "");
+  EXPECT_THAT(verification.remarks(), StartsWith("verified: "));
 }
 
 TEST(Verify, OfALogWithoutProductsThereIsNothingToSay) {
@@ -70,7 +71,7 @@ TEST(Verify, WhatWasSentTwiceOrInAnotherOrderCountsOnce) {
     for (std::size_t i = 0; i < listed.size(); ++i) listed[i]->bytes = in_order[i];
   });
   const Verification verification = verify(path, std::nullopt);
-  EXPECT_EQ(verification.status(), Verification::kEqual) << verification.text();
+  EXPECT_EQ(verification.status(), Verification::kEqual) << verification.findings();
   EXPECT_EQ(verification.products, verify(session().path(), std::nullopt).products);
 }
 
@@ -99,7 +100,7 @@ TEST_P(AlteredByte, IsNamed) {
   const Verification verification = verify(path, std::nullopt);
   EXPECT_NE(verification.status(), Verification::kEqual);
   // An altered list asks for inputs that there never were.
-  EXPECT_THAT(verification.text(), HasSubstr(channel == "SWEEP_INPUTS" ? "missing: IMU" : channel));
+  EXPECT_THAT(verification.findings(), HasSubstr(channel == "SWEEP_INPUTS" ? "missing: IMU" : channel));
 }
 
 INSTANTIATE_TEST_SUITE_P(OfAnObject, AlteredByte,
@@ -111,7 +112,7 @@ TEST(Verify, AByteInAPiecesHeaderIsNamedToo) {
   for (const std::size_t at : {3U, 15U, 30U, 40U, 60U}) {
     const std::string path = session().edited(
         "header.lcmlog", [&](Events& events) { events_of(events, "OCTOMAP").front()->bytes[at] ^= 0x04; });
-    EXPECT_THAT(verify(path, std::nullopt).text(), HasSubstr("OCTOMAP")) << at;
+    EXPECT_THAT(verify(path, std::nullopt).findings(), HasSubstr("OCTOMAP")) << at;
   }
 }
 
@@ -153,7 +154,7 @@ TEST(Verify, AnObjectThatIsNoMessageOfItsChannelIsNamed) {
     });
     const Verification verification = verify(path, std::nullopt);
     EXPECT_EQ(verification.status(), Verification::kDifferent);
-    EXPECT_THAT(verification.text(), HasSubstr(std::string(channel) + " liar version 1"));
+    EXPECT_THAT(verification.findings(), HasSubstr(std::string(channel) + " liar version 1"));
   }
 }
 
@@ -206,7 +207,7 @@ TEST(Verify, ASweepThatIsNotListedIsNotCalledDifferent) {
            [&](const EditedEvent& event) { return decode<sweep_inputs_t>(event.bytes).utime == lost; });
     });
     const Verification verification = verify(path, std::nullopt);
-    EXPECT_EQ(verification.status(), Verification::kIncomplete) << verification.text();
+    EXPECT_EQ(verification.status(), Verification::kIncomplete) << verification.findings();
     ASSERT_EQ(verification.missing.size(), 1U);
     EXPECT_THAT(verification.missing[0], StartsWith("SWEEP_INPUTS at " + std::to_string(lost)));
     EXPECT_EQ(verification.computed, lost == kFirstSweep ? 0U : 1U);
@@ -228,7 +229,7 @@ TEST(Verify, ALogThatBeginsInTheMiddleIsIncomplete) {
     });
   });
   const Verification verification = verify(path, std::nullopt);
-  EXPECT_EQ(verification.status(), Verification::kIncomplete) << verification.text();
+  EXPECT_EQ(verification.status(), Verification::kIncomplete) << verification.findings();
   EXPECT_THAT(verification.missing, testing::Contains(HasSubstr("made map version 2, and the log lists 1")));
 }
 
