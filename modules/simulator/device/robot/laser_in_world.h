@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "modules/simulator/core/simulator.h"
+#include "modules/simulator/device/lms/lms_emulator.h"
+#include "modules/simulator/device/pan_tilt/pan_tilt_module.h"
+
+namespace scanway::simulator {
+
+/// What the scanner on the pan-tilt sees, beam by beam: mirror, pan and tilt turn at the same time.
+class LaserInWorld {
+ public:
+  /// `world` and `robot` must outlive this. `thin`: only every thin-th turn of the mirror, and of it every thin-th
+  /// beam, sees anything; the others have no return.
+  LaserInWorld(const World& world, const Robot& robot, std::uint64_t seed, int thin);
+
+  void put_robot(const Pose& X_world_base);
+  /// `turn` by the clock that pan and tilt have.
+  ScannedLine look(const MirrorTurn& turn, const PanTiltModule& pan, const PanTiltModule& tilt) const;
+
+ private:
+  Pose X_base_laser(double pan, double tilt) const;
+
+  const Robot& robot_;
+  std::uint64_t seed_;
+  int thin_;
+  RayCaster world_;
+  Pose X_world_base_ = Pose::Identity();
+  Mesh body_;
+  std::optional<RayCaster> body_caster_;
+};
+
+}  // namespace scanway::simulator
