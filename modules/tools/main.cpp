@@ -22,6 +22,7 @@
 #include "modules/tools/info.h"
 #include "modules/tools/octomap_clouds.h"
 #include "modules/tools/plan.h"
+#include "modules/tools/plan_scenario.h"
 #include "modules/tools/register.h"
 #include "modules/tools/replay.h"
 #include "modules/tools/simulate.h"
@@ -95,10 +96,12 @@ void add_register(CLI::App& app, Action& action) {
 
 void add_plan(CLI::App& app, Action& action) {
   static PlanOptions options;
+  static PlanScenarioOptions scenario;
   CLI::App* command = app.add_subcommand("plan", "A path on a map file (map_server's PGM and YAML)");
-  command->add_option("map", options.map, "The map's YAML")->required();
-  add_point(command, "--start", options.start_m, "m, in the map's frame")->required();
-  add_point(command, "--goal", options.goal_m, "m, in the map's frame")->required();
+  auto* scen = command->add_option("--scen", scenario.scenario, "Instead: every problem of a Moving AI scenario file");
+  auto* map = command->add_option("map", options.map, "The map's YAML")->excludes(scen);
+  auto* start = add_point(command, "--start", options.start_m, "m, in the map's frame")->excludes(scen)->needs(map);
+  auto* goal = add_point(command, "--goal", options.goal_m, "m, in the map's frame")->excludes(scen)->needs(start);
   command->add_option("--mode", options.mode, "What the robot is taken for")
       ->check(CLI::IsMember({"point", "paper", "footprint"}))
       ->capture_default_str();
@@ -108,7 +111,12 @@ void add_plan(CLI::App& app, Action& action) {
   command->add_option("--robot", options.robot, "Robot file (default: ERA-Mobi)");
   command->add_option("-o,--output", options.output, "Folder for path.csv and path.png");
   command->add_flag("--json", options.json, "One JSON document on stdout");
-  command->callback([&action] { action = [] { return run_plan(options); }; });
+  command->callback([&action, goal, scen] {
+    if (scen->empty() && goal->empty()) throw CLI::RequiredError("MAP.yaml --start X,Y --goal X,Y, or --scen FILE");
+    scenario.json = options.json;
+    if (scen->empty()) action = [] { return run_plan(options); };
+    if (!scen->empty()) action = [] { return run_plan_scenario(scenario); };
+  });
 }
 
 void add_octomap(CLI::App& app, Action& action) {
