@@ -26,6 +26,10 @@ enum InputChannel : std::size_t { kImuInput, kSweepInput };
 /// A sweep's pieces may still be on their way this long after it ended: 3.4 million points, paced and asked for again.
 constexpr Utime kSweepBound = 200 * kMicrosecondsPerSecond;
 
+/// An assembled sweep is published in seconds; if its pieces never come, no more than this waits for them.
+constexpr std::size_t kMostHeld = 100'000;
+constexpr int kMostSilences = 10;
+
 std::vector<MergedChannel> merged_channels() {
   return {{std::string(channel::kImu.name), kMicrosecondsPerSecond, true},
           {std::string(channel::kSweep.name), kSweepBound, true}};
@@ -95,7 +99,8 @@ void MapperNode::take_imu(const BusMessage& message) {
     ++news_;
     if (const std::uint64_t name = digest(message.bytes); is_listed(name))
       listed_arrived_.insert_or_assign(name, arrived);
-    inputs_.add(kImuInput, imu.utime, arrived);
+    held_.push_back(arrived);
+    if (awaited_.empty() || held_.size() > kMostHeld) release_held();
   } catch (const BadMessage&) {
     ++bad_messages_;
   }
@@ -109,7 +114,9 @@ void MapperNode::take_piece(const BusMessage& message) {
     object.utime = utime;
     if (store_ == nullptr) object.bytes = {};
     ++waiting_sweeps_;
+    awaited_.erase(object.digest);
     if (!inputs_.add(kSweepInput, utime, ArrivedSweep{std::move(sweep), std::move(object)})) --waiting_sweeps_;
+    if (awaited_.empty()) release_held();
   });
 }
 
@@ -128,7 +135,16 @@ bool MapperNode::is_listed(std::uint64_t imu) const {
 
 void MapperNode::expect(SweepOrigin origin) {
   const auto name = static_cast<std::uint64_t>(origin.inputs.sweep_digest);
-  origins_.insert_or_assign(name, std::move(origin));
+  if (origins_.insert_or_assign(name, std::move(origin)).second) awaited_.insert(name);
+}
+
+void MapperNode::release_held() {
+  awaited_.clear();
+  silences_ = 0;
+  for (Orientation& orientation : std::exchange(held_, {})) {
+    const Utime utime = orientation.utime;
+    inputs_.add(kImuInput, utime, std::move(orientation));
+  }
 }
 
 std::optional<MapperNode::Orientation> MapperNode::orientation_for(const ArrivedSweep& arrived) const {
@@ -206,7 +222,14 @@ void MapperNode::take_origin(const BusMessage& message) {
   }
 }
 
+void MapperNode::finish() {
+  release_held();
+  inputs_.flush();
+}
+
 void MapperNode::settle(bool sweeps_expected) {
+  if (!awaited_.empty() && (sweeps_expected || ++silences_ < kMostSilences)) return;
+  release_held();
   if (!sweeps_expected) sweeps_.give_up_all();
   settled_in_silence_ += waiting_sweeps_;
   inputs_.flush();
@@ -217,7 +240,7 @@ map_state_t MapperNode::state() const {
   state.utime = map_utime_;
   state.map_version = static_cast<std::int64_t>(mapper_.map().version());
   state.map_digest = publisher_.cost_map_digest();
-  state.settled = waiting_sweeps_ == 0 && sweeps_.incomplete().empty();
+  state.settled = waiting_sweeps_ == 0 && awaited_.empty() && sweeps_.incomplete().empty();
   return state;
 }
 

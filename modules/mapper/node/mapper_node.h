@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -43,12 +44,12 @@ class MapperNode {
   MapperNode(Bus& bus, const Robot& robot, StageListener* stages = nullptr);
 
   /// No more input will come: what still waits for data with a later time is worked on now.
-  void finish() { inputs_.flush(); }
+  void finish();
 
   /// A sweep that `listed` names gets the orientation that is named there, whatever came when. For replay.
   void use(ListedOrientations listed) { listed_ = std::move(listed); }
   /// A sweep that was assembled here, before its pieces come: it has the orientation of its own time, and SWEEP_INPUTS
-  /// says what it was made of.
+  /// says what it was made of. However long its pieces take, it does not come too late.
   void expect(SweepOrigin origin);
   /// `finished` is told of each sweep, by its name and time, when all of its products are published.
   void on_finished(std::function<void(std::string_view, Utime)> finished) { finished_ = std::move(finished); }
@@ -92,6 +93,7 @@ class MapperNode {
   void publish_result(const SweepResult& result, const Sweep& sweep);
   void keep(const Object& sweep, const std::optional<Orientation>& orientation);
   void take_origin(const BusMessage& message);
+  void release_held();
 
   Bus& bus_;
   StageListener* stages_;
@@ -102,6 +104,9 @@ class MapperNode {
   std::optional<Orientation> newest_orientation_;  // That the merge let go.
   std::optional<Orientation> orientation_;         // Of the sweep that is worked on.
   std::map<std::uint64_t, SweepOrigin> origins_;   // By the sweep's digest.
+  std::set<std::uint64_t> awaited_;                // Of these, whose pieces are on their way.
+  std::vector<Orientation> held_;                  // That came since then.
+  int silences_ = 0;                               // In a row, with sweeps awaited.
   ListedOrientations listed_;
   std::map<std::uint64_t, Orientation> listed_arrived_;  // By the digest of the message.
   std::function<void(std::string_view, Utime)> finished_;

@@ -70,7 +70,7 @@ int run(const ProgramOptions& options) {
   serve(bus, {[&] { return node.news() + assembler.news(); },
               [&] {
                 assembler.settle();
-                node.settle(bus.lacks(channel::kSweep.name));
+                if (!assembler.busy()) node.settle(bus.lacks(channel::kSweep.name));
               },
               [&] {
                 map_state_t state = node.state();

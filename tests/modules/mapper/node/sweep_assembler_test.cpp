@@ -1,132 +1,16 @@
-// Sweeps from raw messages on a bus: what the core assembles, whatever came first, was lost and asked for again.
+// Sweeps from raw messages on a bus: what the core assembles, whatever came first.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <functional>
 #include <map>
 #include <string>
-#include <vector>
 
-#include "common/bus/memory_bus.h"
-#include "common/messages/codec.h"
-#include "common/messages/digest.h"
-#include "common/messages/imu_message.h"
-#include "common/messages/object_assembler.h"
-#include "common/messages/sweep_message.h"
 #include "common/random/random.h"
-#include "modules/mapper/node/raw_input.h"
-#include "modules/mapper/node/sweep_assembler.h"
-#include "modules/sick_bridge/node/line_archive.h"
-#include "modules/simulator/core/simulator.h"
-#include "modules/simulator/node/raw_log.h"
-#include "scanway/line_request_t.hpp"
+#include "tests/modules/mapper/node/raw_sweep.h"
 
-namespace scanway {
+namespace scanway::test {
 namespace {
-
-struct Said {
-  std::string channel;
-  std::vector<std::uint8_t> bytes;
-  Utime utime = 0;
-};
-using Log = std::vector<Said>;
-
-class RecordingBus : public Bus {
- public:
-  void publish(std::string_view channel, std::span<const std::uint8_t> bytes, Utime utime) override {
-    log.push_back({std::string(channel), {bytes.begin(), bytes.end()}, utime});
-  }
-  void subscribe(std::string_view, Handler) override {}
-
-  Log log;
-};
-
-const Robot& robot() {
-  static const Robot kRobot = simulator::simulated_robot();
-  return kRobot;
-}
-
-/// What the bridges say of a sweep in a hall: every twelfth line and beam.
-const Log& raw_log() {
-  static const Log kLog = [] {
-    const simulator::World world = simulator::make_world("hall", 3);
-    const simulator::Stand stand = simulator::stand_at(world, robot(), {-6, 0.3, 0.5});
-    simulator::SweepConfig config;
-    config.thin = 12;
-    RecordingBus bus;
-    simulator::publish_raw_sweep(bus, simulate_lines(world, robot(), stand.X_world_base, config),
-                                 simulator::Tracker(robot().tracker, stand.X_world_base, 1), {7, 100, config.start});
-    return bus.log;
-  }();
-  return kLog;
-}
-
-bool is_line(const Said& said) { return said.channel == channel::kLaserLine.name; }
-std::int64_t line_of(const Said& said) { return decode<laser_line_t>(said.bytes).line; }
-
-/// The core's own result, put together without the node.
-AssembledSweep expected(const Log& log) {
-  AssemblyInput input;
-  LineCollector collector;
-  for (const Said& said : log) {
-    if (is_line(said)) collector.add(piece_of(decode<laser_line_t>(said.bytes)));
-    if (said.channel == channel::kPanTiltState.name) {
-      input.angles.push_back(angles_of(decode<bot_core::joint_state_t>(said.bytes)));
-    } else if (said.channel == channel::kImu.name) {
-      const auto imu = decode<bot_core::ins_t>(said.bytes);
-      input.orientations.push_back({imu.utime, orientation_of(imu)});
-    } else if (said.channel == channel::kSweepMark.name) {
-      const auto mark = decode<sweep_mark_t>(said.bytes);
-      (mark.mark == sweep_mark_t::STARTED ? input.started : input.ended) = mark.utime;
-      input.sweep = mark.sweep;
-    }
-  }
-  input.lines = collector.take();
-  return assemble(input, robot());
-}
-
-/// A node, and what it says.
-class Assembler {
- public:
-  Assembler() : node(bus, robot(), [this](SweepOrigin origin) { origins.push_back(std::move(origin)); }) {
-    bus.subscribe(channel::kSweep.name, [this](const BusMessage& message) {
-      if (auto object = pieces_.add(decode<piece_t>(message.bytes))) sweeps.push_back(std::move(*object));
-    });
-    bus.subscribe(channel::kLineRequest.name, [this](const BusMessage& message) {
-      requests.push_back(decode<line_request_t>(message.bytes));
-      EXPECT_LE(message.bytes.size(), 1300U);
-    });
-  }
-  void feed(const Said& said) {
-    bus.publish(said.channel, said.bytes, said.utime);
-    bus.dispatch();
-  }
-  Assembler& feed(const Log& log) {
-    for (const Said& said : log) feed(said);
-    return *this;
-  }
-  Assembler& finish() {
-    node.finish();
-    bus.dispatch();
-    return *this;
-  }
-
-  MemoryBus bus;
-  std::vector<SweepOrigin> origins;
-  std::vector<Object> sweeps;
-  std::vector<line_request_t> requests;
-  SweepAssembler node;
-
- private:
-  ObjectAssembler pieces_;
-};
-
-/// What was used, by channel: all but what came too late.
-std::map<std::string, std::pair<std::int64_t, std::int64_t>> used(const SweepOrigin& origin) {
-  std::map<std::string, std::pair<std::int64_t, std::int64_t>> used;
-  for (const input_span_t& input : origin.inputs.inputs) used[input.channel] = {input.used_count, input.used_digest};
-  return used;
-}
 
 TEST(SweepAssembler, MakesWhatTheCoreMakesAndSaysOfWhat) {
   Assembler assembler;
@@ -199,122 +83,6 @@ TEST(SweepAssembler, TheOrderOfArrivalBetweenChannelsChangesNothing) {
     EXPECT_EQ(used(mixed.origins[0]), used(straight.origins[0])) << seed;
     for (const input_span_t& input : mixed.origins[0].inputs.inputs) EXPECT_EQ(input.late_count, 0);
   }
-}
-
-/// The bridge's end: keeps each line, and loses `loss` of what it sends, in pieces.
-class LossyBridge {
- public:
-  LossyBridge(Assembler& to, double loss) : to_(to), loss_(loss) {}
-
-  /// `last`: no more pieces of that line will come.
-  void say(const Said& said, bool last) {
-    if (random_.uniform() >= loss_) to_.feed(said);
-    line_.push_back(said.bytes);
-    if (last) archive_.keep(std::exchange(line_, {}), said.utime);
-  }
-  void answer(Utime now, std::int64_t first_line) {
-    for (; answered_ < to_.requests.size(); ++answered_) {
-      const line_request_t& request = to_.requests[answered_];
-      for (std::size_t i = 0; i < request.first_line.size(); ++i) {
-        archive_.ask(request.first_line[i] - first_line, request.end_line[i] - first_line, now);
-      }
-    }
-    archive_.pump(now, [&](const auto& message) {
-      if (random_.uniform() >= loss_) to_.feed({std::string(channel::kLaserLine.name), message, now});
-    });
-  }
-  const sick::LineArchive& archive() const { return archive_; }
-
- private:
-  Assembler& to_;
-  double loss_;
-  Random random_{1};
-  sick::LineArchive archive_;
-  std::vector<sick::LineArchive::Message> line_;
-  std::size_t answered_ = 0;
-};
-
-TEST(SweepAssembler, LinesThatWereLostAreAskedForUntilAllAreThere) {
-  Assembler lossless, lossy;
-  lossless.feed(raw_log()).finish();
-  LossyBridge bridge(lossy, 0.3);
-  const std::int64_t first = line_of(*std::find_if(raw_log().begin(), raw_log().end(), is_line));
-  std::vector<std::size_t> lines;
-  for (std::size_t i = 0; i < raw_log().size(); ++i) {
-    if (is_line(raw_log()[i])) lines.push_back(i);
-  }
-  for (std::size_t i = 0, line = 0; i < raw_log().size(); ++i) {
-    const Said& said = raw_log()[i];
-    if (!is_line(said)) {
-      lossy.feed(said);
-    } else {
-      ++line;
-      bridge.say(said, line == lines.size() || line_of(raw_log()[lines[line]]) != line_of(said));
-    }
-    bridge.answer(said.utime, first);
-  }
-  // The tracker goes on.
-  Said imu =
-      *std::find_if(raw_log().rbegin(), raw_log().rend(), [](const Said& said) { return said.channel == "IMU"; });
-  for (int i = 0; i < 3000 && lossy.sweeps.empty(); ++i) {
-    auto message = decode<bot_core::ins_t>(imu.bytes);
-    message.utime += 10'000;
-    imu = {imu.channel, encode(message), imu.utime + 10'000};
-    lossy.feed(imu);
-    bridge.answer(imu.utime, first);
-  }
-  ASSERT_EQ(lossy.sweeps.size(), 1U);
-  EXPECT_EQ(lossy.sweeps[0].bytes, lossless.sweeps[0].bytes);
-  EXPECT_EQ(used(lossy.origins[0]), used(lossless.origins[0]));
-  EXPECT_GT(bridge.archive().counters().lines_resent, 50);
-  EXPECT_EQ(lossy.node.counters().at("assembler_missing_lines"), 0);
-  EXPECT_LT(lossy.node.counters().at("assembler_lines_asked"), 3 * bridge.archive().counters().lines_resent);
-}
-
-TEST(SweepAssembler, LinesThatNeverComeAreCountedAfterABound) {
-  Log log;
-  for (const Said& said : raw_log()) {
-    if (!is_line(said) || line_of(said) < 120 || line_of(said) > 124) log.push_back(said);
-  }
-  Assembler assembler;
-  assembler.feed(log);
-  EXPECT_TRUE(assembler.sweeps.empty()) << "they may still come";
-  EXPECT_TRUE(assembler.node.busy());
-  EXPECT_NE(assembler.node.summary().find("waits for its data"), std::string::npos);
-  Said imu = *std::find_if(log.rbegin(), log.rend(), [](const Said& said) { return said.channel == "IMU"; });
-  auto message = decode<bot_core::ins_t>(imu.bytes);
-  message.utime += 41 * kMicrosecondsPerSecond;
-  assembler.feed({imu.channel, encode(message), 0});
-  ASSERT_EQ(assembler.sweeps.size(), 1U);
-  EXPECT_EQ(assembler.sweeps[0].bytes, encode(to_message(expected(log).sweep)));
-  EXPECT_EQ(assembler.node.counters().at("assembler_missing_lines"), 5);
-  EXPECT_LE(assembler.node.counters().at("assembler_lines_asked"), 5 * 10) << "asked for with a cap";
-  EXPECT_EQ(assembler.node.summary(), "sweep_7: lacks 5 lines");
-  ASSERT_FALSE(assembler.requests.empty());
-  EXPECT_EQ(assembler.requests[0].first_line[0], 120);
-
-  Said late =
-      *std::find_if(raw_log().begin(), raw_log().end(), [](const Said& s) { return is_line(s) && line_of(s) == 121; });
-  assembler.feed(late);
-  EXPECT_EQ(assembler.node.counters().at("assembler_late_lines"), 1);
-  EXPECT_EQ(assembler.sweeps.size(), 1U);
-}
-
-TEST(SweepAssembler, InSilenceItAsksAFewTimesAndThenTakesWhatIsThere) {
-  Log log;
-  for (const Said& said : raw_log()) {
-    if (!is_line(said) || line_of(said) != 348) log.push_back(said);
-  }
-  Assembler assembler;
-  assembler.feed(log);
-  const std::size_t before = assembler.requests.size();
-  for (int i = 0; i < 10 && assembler.sweeps.empty(); ++i) {
-    assembler.node.settle();
-    assembler.bus.dispatch();
-  }
-  EXPECT_EQ(assembler.sweeps.size(), 1U);
-  EXPECT_GE(assembler.requests.size(), before + 2);
-  EXPECT_FALSE(assembler.node.busy());
 }
 
 Log with_marks(const std::function<void(sweep_mark_t&)>& change) {
@@ -401,4 +169,4 @@ TEST(SweepAssembler, FalseMessagesAreCountedAndSpoilNothing) {
 }
 
 }  // namespace
-}  // namespace scanway
+}  // namespace scanway::test
