@@ -115,6 +115,7 @@ void MapperNode::take_piece(const BusMessage& message) {
     if (store_ == nullptr) object.bytes = {};
     ++waiting_sweeps_;
     awaited_.erase(object.digest);
+    arrived_.insert(object.digest);
     if (!inputs_.add(kSweepInput, utime, ArrivedSweep{std::move(sweep), std::move(object)})) --waiting_sweeps_;
     if (awaited_.empty()) release_held();
   });
@@ -135,7 +136,8 @@ bool MapperNode::is_listed(std::uint64_t imu) const {
 
 void MapperNode::expect(SweepOrigin origin) {
   const auto name = static_cast<std::uint64_t>(origin.inputs.sweep_digest);
-  if (origins_.insert_or_assign(name, std::move(origin)).second) awaited_.insert(name);
+  origins_.insert_or_assign(name, std::move(origin));
+  if (!arrived_.contains(name)) awaited_.insert(name);
 }
 
 void MapperNode::release_held() {

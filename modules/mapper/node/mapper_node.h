@@ -105,6 +105,7 @@ class MapperNode {
   std::optional<Orientation> orientation_;         // Of the sweep that is worked on.
   std::map<std::uint64_t, SweepOrigin> origins_;   // By the sweep's digest.
   std::set<std::uint64_t> awaited_;                // Of these, whose pieces are on their way.
+  std::set<std::uint64_t> arrived_;                // Digests of all sweeps that came.
   std::vector<Orientation> held_;                  // That came since then.
   int silences_ = 0;                               // In a row, with sweeps awaited.
   ListedOrientations listed_;

@@ -8,7 +8,9 @@
 #include "common/messages/codec.h"
 #include "common/messages/digest.h"
 #include "modules/mapper/node/mapper_node.h"
+#include "modules/replay/verify/sweep_list.h"
 #include "scanway/goal_t.hpp"
+#include "scanway/sweep_mark_t.hpp"
 #include "scanway/sweep_t.hpp"
 
 namespace scanway {
@@ -35,6 +37,30 @@ std::string missed_orientation(const RecordedLog& played, const sweep_inputs_t& 
   return fmt::format("IMU at {} digest {}: sweep {} did not use it", utime, hex_of(name), printable(sweep.sweep_name));
 }
 
+/// A recorded sweep that is made anew of the log's lines, and not played.
+bool is_from_lines(const RecordedLog& played, const RecordedName& sweep) {
+  return !played.messages(channel::kLaserLine.name).empty() &&
+         played.messages(channel::kSweepMark.name).contains(sweep.version);
+}
+
+/// The sweep whose end is marked there was assembled.
+bool is_assembled(const RecordedLog& session, Utime ended) {
+  return std::ranges::any_of(session.sweep_inputs(), [&](const sweep_inputs_t& sweep) {
+    return std::ranges::any_of(sweep.inputs, [&](const input_span_t& input) {
+      return input.channel == channel::kSweepMark.name && input.last_utime == ended;
+    });
+  });
+}
+
+/// Messages that the played log holds of the time of an assembled sweep, and that it did not use, or others.
+std::string missed_messages(const RecordedLog& played, const sweep_inputs_t& sweep) {
+  for (const input_span_t& input : sweep.inputs) {
+    const std::string other = input.used_count > 1 ? missing_input(played, input) : "";
+    if (!other.empty()) return fmt::format("{}: sweep {} used others", other, printable(sweep.sweep_name));
+  }
+  return {};
+}
+
 bool is_answered(const RecordedLog& session, const goal_t& goal) {
   return std::ranges::any_of(session.objects_of(channel::kPath), [&](const auto& entry) {
     if (!entry.second.whole() || !entry.second.fault().empty()) return false;
@@ -48,7 +74,7 @@ bool is_answered(const RecordedLog& session, const goal_t& goal) {
 std::vector<std::string> not_used(const RecordedLog& played, const RecordedLog& session) {
   std::vector<std::string> lines;
   for (const auto& [name, object] : played.objects_of(channel::kSweep)) {
-    if (!object.whole() || !object.fault().empty()) continue;
+    if (!object.whole() || !object.fault().empty() || is_from_lines(played, name)) continue;
     const auto same = [&](const sweep_inputs_t& one) { return one.sweep_digest == name.digest; };
     const auto used = std::ranges::find_if(session.sweep_inputs(), same);
     if (used == session.sweep_inputs().end()) {
@@ -57,6 +83,15 @@ std::vector<std::string> not_used(const RecordedLog& played, const RecordedLog& 
     } else if (const std::string missed = missed_orientation(played, *used); !missed.empty()) {
       lines.push_back(missed);
     }
+  }
+  const bool raw = !played.messages(channel::kLaserLine.name).empty();
+  for (const auto& [utime, bytes] : played.messages(channel::kSweepMark.name)) {
+    const auto mark = decode<sweep_mark_t>(bytes);
+    if (!raw || mark.mark != sweep_mark_t::ENDED || is_assembled(session, utime)) continue;
+    lines.push_back(fmt::format("SWEEP_MARK at {}: no sweep {} was made", utime, mark.sweep));
+  }
+  for (const sweep_inputs_t& sweep : session.sweep_inputs()) {
+    if (const std::string missed = missed_messages(played, sweep); raw && !missed.empty()) lines.push_back(missed);
   }
   for (const auto& [utime, bytes] : played.messages(channel::kGoal.name)) {
     const auto goal = decode<goal_t>(bytes);

@@ -129,6 +129,8 @@ void find_what_is_not_listed(const RecordedLog& log, SweepList& list) {
 
 }  // namespace
 
+std::string missing_input(const RecordedLog& log, const input_span_t& input) { return find_input(log, input).missing; }
+
 SweepList list_sweeps(const RecordedLog& log) {
   SweepList list;
   std::set<std::pair<Utime, std::int64_t>> known;

@@ -27,4 +27,7 @@ struct SweepList {
 
 SweepList list_sweeps(const RecordedLog& log);
 
+/// What the log lacks of one listed input, or holds beside it, in one line; empty: it holds exactly that.
+std::string missing_input(const RecordedLog& log, const input_span_t& input);
+
 }  // namespace scanway

@@ -7,7 +7,9 @@
 #include <string>
 
 #include "common/random/random.h"
+#include "modules/mapper/node/mapper_node.h"
 #include "tests/modules/mapper/node/raw_sweep.h"
+#include "tests/support/command.h"
 
 namespace scanway::test {
 namespace {
@@ -110,6 +112,37 @@ TEST(SweepAssembler, ASweepThatIsGivenUpIsDroppedAndSaid) {
   EXPECT_EQ(assembler.node.counters().at("assembler_sweeps_aborted"), 1);
   EXPECT_NE(assembler.node.summary().find("sweep_7 was given up by the pan-tilt: the pan is blocked"),
             std::string::npos);
+}
+
+TEST(SweepAssembler, TheMapperUsesTheSweepsOwnOrientationAlsoWhenItIsStartedAgain) {
+  const ScratchFolder scratch;
+  const SweepStore store(scratch / "state");
+  const auto run = [&](const Log& log, std::vector<std::vector<std::uint8_t>>& inputs) {
+    MemoryBus bus;
+    bus.subscribe(channel::kSweepInputs.name,
+                  [&](const BusMessage& m) { inputs.emplace_back(m.bytes.begin(), m.bytes.end()); });
+    MapperNode mapper(bus, robot());
+    SweepAssembler assembler(bus, robot(), [&](SweepOrigin origin) { mapper.expect(std::move(origin)); });
+    mapper.restore(store);
+    for (const Said& said : log) bus.publish(said.channel, said.bytes, said.utime);
+    bus.dispatch();
+    assembler.finish();
+    mapper.settle(true);
+    EXPECT_EQ(mapper.state().settled, log.empty()) << "the sweep is on its way";
+    bus.dispatch();
+    mapper.settle();
+    bus.dispatch();
+    EXPECT_TRUE(mapper.state().settled);
+    EXPECT_EQ(mapper.counters().at("mapper_late_sweeps"), 0);
+    return mapper.state().map_digest;
+  };
+  std::vector<std::vector<std::uint8_t>> inputs, inputs_again;
+  const std::int64_t map = run(raw_log(), inputs);
+  EXPECT_NE(map, 0);
+  EXPECT_EQ(run({}, inputs_again), map);
+  ASSERT_EQ(inputs.size(), 1U);
+  EXPECT_EQ(inputs_again, inputs);
+  EXPECT_EQ(decode<sweep_inputs_t>(inputs[0]).inputs.size(), 4U);
 }
 
 TEST(SweepAssembler, MarksThatAreSaidAgainMakeNoSecondSweep) {
