@@ -66,8 +66,9 @@ void PanTiltModule::obey(const MotionMessage& message, Utime now) {
 
 void PanTiltModule::set_target(std::uint8_t command, double value) {
   // Jerk, current and time are taken and have no effect.
-  if (command == kTargetVel) speed_ = std::min(value, config_.max_speed);
-  if (command == kTargetAcc) acceleration_ = value;
+  constexpr double kLeast = 1e-4;
+  if (command == kTargetVel) speed_ = std::clamp(value, kLeast, config_.max_speed);
+  if (command == kTargetAcc) acceleration_ = std::max(value, kLeast);
 }
 
 /// Of a position move: position, then perhaps speed, acceleration, current, jerk; of the others speed and current.
@@ -176,8 +177,9 @@ void PanTiltModule::set_config(const MotionMessage& message) {
   if (message.size() < 3) return refuse(kSetConfig, kWrongParameter);
   const std::uint8_t setting = message[1];
   if ((setting == 0x07 || setting == 0x08) && message.size() == 6) {
-    const auto values = values_of({message.begin() + 1, message.end()});
-    (setting == 0x07 ? high_ : low_) = values.at(0);
+    const double limit = values_of({message.begin() + 1, message.end()}).at(0);
+    if (!(limit >= config_.low && limit <= config_.high)) return refuse(kSetConfig, kWrongParameter);
+    (setting == 0x07 ? high_ : low_) = limit;
   }
   say({kSetConfig, 'O', 'K', setting});
 }

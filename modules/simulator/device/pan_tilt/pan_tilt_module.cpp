@@ -69,7 +69,7 @@ void PanTiltModule::tick(Utime now) {
 std::vector<CanFrame> PanTiltModule::take_frames() { return std::exchange(frames_, {}); }
 
 void PanTiltModule::fail(std::uint8_t code, Utime now) {
-  trajectory_.stand(std::clamp(trajectory_.angle(now), low_, high_), now);
+  trajectory_.stand(std::max(low_, std::min(high_, trajectory_.angle(now))), now);
   activity_ = Activity::standing;
   reached_ = false;
   moved_ = true;
