@@ -28,6 +28,7 @@ struct Options {
   std::string world = "yard", pose, robot, lcm_url;
   std::uint64_t seed = 1;
   double speed = 1.0;
+  bool host_time = false;
   int thin = 1;
   DeviceEnds ends{2112, "unix:/tmp/scanway-can", "/tmp/scanway-tracker", "/tmp/scanway-base"};
 };
@@ -39,6 +40,8 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--speed", options.speed, "Seconds of the devices' clocks in one of this machine's")
       ->check(CLI::Range(0.01, 100.0))
       ->capture_default_str();
+  app.add_flag("--host-time", options.host_time,
+               "At another speed than 1, laser and tracker tell times and rates by this machine's clock");
   app.add_option("--thin", options.thin, "Only every K-th line, and of it every K-th beam, sees anything")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
@@ -94,6 +97,7 @@ int run(const Options& options) {
   if (!stand.problem.empty()) throw InputError("--pose: the robot would stand " + stand.problem);
   LcmBus bus(lcm_url(options.lcm_url));
   RobotInWorld simulated(world, robot, stand, options.seed, options.thin, options.ends);
+  if (options.host_time) simulated.tell_host_time(options.speed);
   fmt::print("laser    127.0.0.1:{}\npan-tilt {}\ntracker  {}\nbase     {}\n", simulated.lms_port(), options.ends.can,
              options.ends.tracker, options.ends.base);
   fmt::print("stands   {:.3f},{:.3f},{:.3f} in {} {}\n", place.x, place.y, place.heading, options.world, options.seed);

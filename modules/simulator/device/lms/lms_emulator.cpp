@@ -250,12 +250,14 @@ ScanTelegram LmsEmulator::scan(std::int64_t turn, Utime now) {
   scan.status = first_after_run_ ? 1 : 0;
   scan.telegram_counter = telegrams_++;
   scan.scan_counter = static_cast<std::uint16_t>(turn);
-  scan.start_us = static_cast<std::uint32_t>(mirror.start);
+  const auto told = [&](Utime time) { return static_cast<Utime>(static_cast<double>(time) / speed_); };
+  const auto told_rate = [&](double rate) { return static_cast<std::uint32_t>(std::lround(rate * speed_)); };
+  scan.start_us = static_cast<std::uint32_t>(told(mirror.start));
   const auto field_us = static_cast<Utime>(mode_.period_us() * 190.0 / 360.0);
-  scan.sent_us = static_cast<std::uint32_t>(std::min(now, mirror.start + field_us + kAfterLastBeam));
+  scan.sent_us = static_cast<std::uint32_t>(told(std::min(now, mirror.start + field_us + kAfterLastBeam)));
   scan.outputs = kOutputs;
-  scan.scan_frequency = mode_.frequency;
-  scan.measurement_frequency = mode_.measurement_frequency();
+  scan.scan_frequency = told_rate(mode_.frequency);
+  scan.measurement_frequency = told_rate(mode_.measurement_frequency());
   if (content_.encoders != 0) scan.encoders.resize(1);
   ScanTelegram::Channel channel;
   channel.start_angle = static_cast<std::int32_t>(std::lround(mirror.sector.start_deg * 1e4));

@@ -47,6 +47,10 @@ class LmsEmulator {
   /// Subscriptions and login end with the connection; settings stay.
   void hang_up();
 
+  /// Lives `speed` seconds in one second of the host, and from now on tells its times and rates by the host's: a
+  /// scanner whose mirror turns that much faster.
+  void tell_host_time(double speed) { speed_ = speed; }
+
   bool measuring() const { return measuring_; }
   const ScanMode& mode() const { return mode_; }
   /// When turn `number` of the mirror begins.
@@ -85,6 +89,7 @@ class LmsEmulator {
   Utime clock_offset_ = 0;  // Of the date to the time since it was switched on.
   bool logged_in_ = false, measuring_ = true, subscribed_ = false, first_after_run_ = false;
   std::int64_t next_turn_ = 0;
+  double speed_ = 1.0;
   std::uint16_t telegrams_ = 0;
 };
 

@@ -57,6 +57,11 @@ void RobotInWorld::put(const Pose& X_world_base) {
   orientation_ = std::make_unique<Tracker>(robot_.tracker, X_world_base, seed_);
 }
 
+void RobotInWorld::tell_host_time(double speed) {
+  lms_.tell_host_time(speed);
+  tracker_.tell_host_time(speed);
+}
+
 void RobotInWorld::run(Utime now, int wait_ms) {
   run_pan_tilt(now, wait_ms);
   run_base(now);

@@ -34,6 +34,9 @@ class RobotInWorld {
   RobotInWorld(const World& world, const Robot& robot, const Stand& stand, std::uint64_t seed, int thin,
                const DeviceEnds& ends);
 
+  /// The clock runs `speed` times as fast as the host's, and laser and tracker tell their times by the host's.
+  void tell_host_time(double speed);
+
   /// Hears what came for the devices, lets them do what is due, waits at most `wait_ms` for the bus.
   void run(Utime now, int wait_ms);
 

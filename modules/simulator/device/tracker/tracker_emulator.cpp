@@ -216,15 +216,16 @@ XbusBytes TrackerEmulator::measure(Utime time) {
 
 void TrackerEmulator::append_output(XbusBytes& data, const Output& output, const TrackerSample& sample,
                                     Utime time) const {
+  const auto told = static_cast<Utime>(static_cast<double>(time) / speed_);
   const auto vector = [&](const Eigen::Vector3d& v) { append_numbers(data, output.id, std::span(v.data(), 3)); };
   if (is_orientation(output.id)) return append_orientation(data, output.id, in_frame(sample.q_world_sensor, output.id));
   switch (kind_of(output.id)) {
     case 0x1020:
       return append_integer(data, output.id, counter_, 2);
     case 0x1060:
-      return append_integer(data, output.id, static_cast<std::uint32_t>(time / 100), 4);
+      return append_integer(data, output.id, static_cast<std::uint32_t>(told / 100), 4);
     case 0x1070:
-      return append_integer(data, output.id, static_cast<std::uint32_t>(time / kMicrosecondsPerSecond), 4);
+      return append_integer(data, output.id, static_cast<std::uint32_t>(told / kMicrosecondsPerSecond), 4);
     case 0x4020:
       return vector(sample.acceleration);
     case 0x8020:

@@ -33,6 +33,9 @@ class TrackerEmulator {
   /// What it sends unasked by now: the greeting after it was switched on, and measurements.
   XbusBytes tick(Utime now);
 
+  /// Lives `speed` seconds in one second of the host, and from now on tells its times by the host's.
+  void tell_host_time(double speed) { speed_ = speed; }
+
   bool measuring() const { return state_ == State::measuring; }
 
  private:
@@ -57,6 +60,7 @@ class TrackerEmulator {
   Utime woke_ = 0, began_ = 0;
   std::int64_t sample_ = 0;  // Since it began to measure.
   std::uint16_t counter_ = 0;
+  double speed_ = 1.0;
   std::vector<Output> outputs_ = {{0x1020, 0xFFFF}, {0x1060, 0xFFFF}, {0x2010, 100}, {0xE020, 0xFFFF}};
 };
 

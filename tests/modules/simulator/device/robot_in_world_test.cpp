@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "common/clock/host_time.h"
 #include "common/clock/steady_time.h"
 #include "modules/base_bridge/device/base_driver.h"
 #include "modules/schunk_bridge/device/pan_tilt_driver.h"
@@ -14,16 +15,21 @@ namespace {
 
 using namespace simulator;
 
+constexpr double kBeam_us = 40'000.0 / 2160.0;
+
 /// The robot in a room, and the bridges' devices at the ends of its cables.
 class RobotInRoom : public testing::Test {
  protected:
   template <class Done>
   bool run_until(const Done& done) {
     for (const Utime limit = steady_now() + 20 * kMicrosecondsPerSecond; steady_now() < limit;) {
-      simulated.run(now(), 1);
+      simulated.run(std::llround(static_cast<double>(now()) * speed), 1);
       pan_tilt.step(0);
       base.step(0);
-      for (auto& scan : lms.run(0).scans) scans.push_back(std::move(scan.scan));
+      for (auto& scan : lms.run(0).scans) {
+        utimes.push_back(scan.utime);
+        scans.push_back(std::move(scan.scan));
+      }
       if (done()) return true;
     }
     return false;
@@ -45,12 +51,15 @@ class RobotInRoom : public testing::Test {
   schunk::PanTiltDriver pan_tilt{ends.can, {}};
   erratic::BaseDriver base{ends.base, {}};
   std::vector<sick::Scan> scans;
-  const Utime began = steady_now();
+  std::vector<Utime> utimes;  // By the bridge, on the host's clock.
+  const Utime began = steady_now(), host_began = host_now();
+  double speed = 1.0;
 };
 
 /// How many of the scan's ranges are a wall's, and how many are not; beams at corners and on the robot do not count.
+/// `start`: of the first beam, on the robot's clock; `beam_us`: from one to the next, on the same.
 std::pair<int, int> walls_in(const sick::Scan& scan, const RobotInWorld& simulated, const Robot& robot,
-                             const simulator::test::Room& room) {
+                             const simulator::test::Room& room, double start, double beam_us) {
   int right = 0, wrong = 0;
   const ScanPattern frames(robot, 0, 0);
   const sick::ScanChannel& channel = *scan.channel("DIST1");
@@ -58,7 +67,7 @@ std::pair<int, int> walls_in(const sick::Scan& scan, const RobotInWorld& simulat
     const double range = channel.counts[i] * static_cast<double>(channel.scale) * 1e-3;
     if (range < 1.0) continue;
     const double a = radians(1) * (-5.0 + static_cast<double>(i) / 6.0);
-    const auto time = static_cast<Utime>(scan.start_time_us + static_cast<double>(i) * 40'000.0 / 2160.0);
+    const auto time = static_cast<Utime>(start + static_cast<double>(i) * beam_us);
     const Pose X_world_laser = simulated.X_world_base() * frames.X_base_laser(simulated.pan_angle(time));
     const Eigen::Vector3d direction = X_world_laser.linear() * Eigen::Vector3d(std::sin(a), -std::cos(a), 0.0);
     const auto [expected, to_next] = room.distance(X_world_laser.translation(), direction);
@@ -77,12 +86,37 @@ TEST_F(RobotInRoom, TheScansAreTheWallsWhileTheMirrorAndThePanTurn) {
   EXPECT_GT(simulated.pan_angle(now()), radians(30));
   int right = 0, wrong = 0;
   for (const sick::Scan& scan : scans) {
-    const auto [walls, others] = walls_in(scan, simulated, robot, room);
+    const auto [walls, others] = walls_in(scan, simulated, robot, room, scan.start_time_us, kBeam_us);
     right += walls;
     wrong += others;
   }
   EXPECT_GT(right, 1000);  // Of 8 turns of the mirror that see, every fourth beam.
   EXPECT_LT(wrong, right / 200);
+  pan_tilt.core().stop(pan_tilt.now());
+  ASSERT_TRUE(run_until([&] { return pan_tilt.core().pan().state()->velocity == 0.0; }));
+}
+
+TEST_F(RobotInRoom, AtFiveTimesTheSpeedTheScansAreTheWallsByTheHostsClock) {
+  using schunk::Axis;
+  speed = 5.0;
+  simulated.tell_host_time(speed);
+  ASSERT_TRUE(run_until([&] { return pan_tilt.core().pan().phase() == Axis::Phase::ready && !scans.empty(); }));
+  EXPECT_EQ(pan_tilt.core().turn_pan(radians(20), pan_tilt.now()), "");
+  ASSERT_TRUE(run_until([&] { return pan_tilt.core().pan().state()->position > radians(40); }));
+  scans.clear();
+  utimes.clear();
+  ASSERT_TRUE(run_until([&] { return scans.size() >= 64; }));
+  int right = 0, wrong = 0;
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    const double beam_us = 1e8 / scans[i].scan_frequency / 2160.0 * speed;
+    const auto [walls, others] =
+        walls_in(scans[i], simulated, robot, room, static_cast<double>(utimes[i] - host_began) * speed, beam_us);
+    right += walls;
+    wrong += others;
+  }
+  EXPECT_GT(right, 2000);
+  // What the bridge takes for the way to it is a millisecond or so: half a degree of the pan, at 100 degrees a second.
+  EXPECT_LT(wrong, right / 4) << right;
   pan_tilt.core().stop(pan_tilt.now());
   ASSERT_TRUE(run_until([&] { return pan_tilt.core().pan().state()->velocity == 0.0; }));
 }
