@@ -30,7 +30,7 @@ class Graph {
   };
   /// sqrt(2) to 1.1e-8: 0.01 of a cell in 900,000 diagonal steps.
   static constexpr Units kFine = {5741, 8119};
-  /// sqrt(2) to 3.7e-5: for ways too long for the above.
+  /// sqrt(2) to 7.2e-5: for ways that cost more than 40 bits hold in the above.
   static constexpr Units kCoarse = {99, 140};
 
   Graph(Terrain& terrain, Root root, const Units& units);
