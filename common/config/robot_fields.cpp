@@ -17,6 +17,9 @@ void describe(Fields& fields, Robot::Body& body) {
   fields.number("climbable_step_m", body.climbable_step_m, {0, 2});
   fields.number("climbable_slope_deg", body.climbable_slope, {0, 60});
   fields.number("max_speed_m_s", body.max_speed_m_s, {0.001, 100});
+  fields.number("max_turn_rate_deg_s", body.max_turn_rate, {0.1, 7200});
+  fields.number("max_acceleration_m_s2", body.max_acceleration_m_s2, {0.001, 100});
+  fields.number("max_turn_acceleration_deg_s2", body.max_turn_acceleration, {0.1, 72000});
   fields.end_section();
 }
 

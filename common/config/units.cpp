@@ -11,6 +11,8 @@ constexpr long double kPi = 3.14159265358979323846264338327950288L;
 
 // Longer endings before the shorter ones that they end in. Units that no key has are here for the sake of messages.
 constexpr std::array kUnits = {
+    Unit{"_m_s2", "metres a second squared", 1, 1},
+    Unit{"_deg_s2", "degrees a second squared", kPi, 180},
     Unit{"_m_s", "metres a second", 1, 1},
     Unit{"_cm_s", "centimetres a second", 1, 100},
     Unit{"_mm_s", "millimetres a second", 1, 1000},

@@ -39,6 +39,9 @@ struct Robot {
     double climbable_step_m = 0.02;  ///< Steps up to this are driven over.
     double climbable_slope = radians(15);  ///< Radians.
     double max_speed_m_s = 2.0;
+    double max_turn_rate = radians(360);          ///< Radians a second.
+    double max_acceleration_m_s2 = 1.0;           ///< Also sideways, in a bend.
+    double max_turn_acceleration = radians(360);  ///< Radians a second, a second.
     bool operator==(const Body&) const = default;
   } body;
 

@@ -34,6 +34,7 @@ int run(const BridgeOptions& bridge, const std::string& port) {
   LiveBus bus(lcm, who);
   BaseConfig config;
   config.drive.max_speed_m_s = robot.body.max_speed_m_s;
+  config.drive.max_turn_rate_rad_s = robot.body.max_turn_rate;
   BaseDriver driver(port, config);
   BaseNode node(bus, driver.core());
   bus.start();
