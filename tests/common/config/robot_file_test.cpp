@@ -27,9 +27,7 @@ class Dice : public Fields {
   void end_section() override {}
   void number(std::string_view key, double& value, Range range) override {
     // Any double will do, not only those near to a number in degrees: a few units in the last place beside it as well.
-    const double scale = key.ends_with("_deg") || key.ends_with("_deg_s") ? M_PI / 180
-                         : key.ends_with("_mrad")                         ? 1e-3
-                                                                          : 1;
+    const double scale = key.find("_deg") != key.npos ? M_PI / 180 : key.ends_with("_mrad") ? 1e-3 : 1;
     value = (range.lowest + (range.highest - range.lowest) * (0.01 + 0.98 * random_.uniform())) * scale;
     for (auto steps = random_.below(5); steps > 0; --steps) value = std::nextafter(value, 0.0);
   }
