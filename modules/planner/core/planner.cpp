@@ -130,6 +130,7 @@ void Planner::explain(PlanResult& result, Cell start, Cell goal) const {
 
 PlanResult Planner::plan(const Eigen::Vector2d& start_m, const Eigen::Vector2d& goal_m) {
   PlanResult result;
+  result.unknown = options_.unknown;
   result.reason = words_of(result.status);
   if (!terrain_) return result;
   const MapScale scale = {resolution_m_, origin_m_};

@@ -16,11 +16,13 @@
 
 namespace scanway::planning {
 
-/// A pose of the robot on a path, in `map`: the middle of a cell, or a point between two.
+/// A pose of the robot on a path, in `map`.
 struct PathPose {
   double x_m = 0.0;
   double y_m = 0.0;
-  double heading = 0.0;  ///< Radians, counter-clockwise from x.
+  double heading = 0.0;    ///< Radians, counter-clockwise from x.
+  double time_s = 0.0;     ///< After the start.
+  double speed_m_s = 0.0;  ///< Negative: backwards. From pose to pose it changes evenly.
   bool operator==(const PathPose&) const = default;
 };
 
@@ -47,9 +49,11 @@ struct PlanResult {
   std::string reason;
   /// In driving order. Two poses in the same place are a turn in place; a step against its heading is driven backwards.
   std::vector<PathPose> path;
+  UnknownPolicy unknown = UnknownPolicy::never;  ///< What the plan may do with unknown cells.
   double length_m = 0.0;
-  /// The length, each metre at its weight (docs/planning.md); what the search has made least.
+  /// Of the way on cells: its length, each metre at its weight (docs/planning.md); what the search has made least.
   double cost = 0.0;
+  double worst_cost = 0.0;  ///< What a metre costs where the path is dearest.
   /// From the footprint on its way (in modes point and paper: from the robot's centre) to the nearest point of an
   /// occupied cell; infinity when there is none.
   double clearance_m = 0.0;

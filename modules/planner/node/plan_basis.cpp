@@ -15,6 +15,17 @@ const char* name_of(planning::BodyMode mode) {
   }
 }
 
+const char* name_of(UnknownPolicy policy) {
+  switch (policy) {
+    case UnknownPolicy::price:
+      return "price";
+    case UnknownPolicy::free:
+      return "free";
+    default:
+      return "never";
+  }
+}
+
 path_t path_message(const PlanBasis& basis, planning::BodyMode mode, const planning::PlanResult& result) {
   path_t message{};
   message.utime = std::max({basis.version->utime, basis.start->utime, basis.goal->utime});
@@ -27,11 +38,14 @@ path_t path_message(const PlanBasis& basis, planning::BodyMode mode, const plann
   message.start[2] = heading_of(basis.start->X_map_base.linear());
   message.goal[0] = basis.goal->place.x();
   message.goal[1] = basis.goal->place.y();
+  message.unknown = name_of(result.unknown);
   message.status = result.reason;
   for (const planning::PathPose& pose : result.path) {
     message.pose_x_m.push_back(pose.x_m);
     message.pose_y_m.push_back(pose.y_m);
     message.pose_heading_rad.push_back(pose.heading);
+    message.pose_time_s.push_back(pose.time_s);
+    message.pose_speed_m_s.push_back(pose.speed_m_s);
   }
   message.nposes = static_cast<std::int32_t>(result.path.size());
   message.length_m = result.length_m;
@@ -40,6 +54,7 @@ path_t path_message(const PlanBasis& basis, planning::BodyMode mode, const plann
   message.clearance_at_m[1] = result.clearance_at_m.y();
   message.unknown_share = result.unknown_share;
   message.cost = result.cost;
+  message.worst_cost = result.worst_cost;
   message.expansions = static_cast<std::int64_t>(result.effort.expansions);
   return message;
 }

@@ -38,8 +38,9 @@ struct PlanBasis {
   bool complete() const { return version && start && goal; }
 };
 
-/// A mode's name in PATH.
+// Names in PATH.
 const char* name_of(planning::BodyMode mode);
+const char* name_of(UnknownPolicy policy);
 
 /// A plan as a message. `basis` is complete.
 path_t path_message(const PlanBasis& basis, planning::BodyMode mode, const planning::PlanResult& result);
