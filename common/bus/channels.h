@@ -10,6 +10,11 @@ struct Channel {
   std::string_view name;
   std::string_view type;  ///< package.struct
   bool cut = false;
+  std::string_view also = {};  ///< Another type that its messages may have, which holds more; empty: none.
+
+  constexpr bool carries(std::string_view message_type) const {
+    return message_type == type || (!also.empty() && message_type == also);
+  }
 };
 
 namespace channel {
@@ -20,7 +25,7 @@ inline constexpr Channel kPanTiltState{"PAN_TILT_STATE", "bot_core.joint_state_t
 inline constexpr Channel kOdometry{"ODOMETRY", "bot_core.pose_t", false};
 inline constexpr Channel kLaserLine{"LASER_LINE", "scanway.laser_line_t", false};
 inline constexpr Channel kSweepMark{"SWEEP_MARK", "scanway.sweep_mark_t", false};
-inline constexpr Channel kSweep{"SWEEP", "scanway.sweep_t", true};
+inline constexpr Channel kSweep{"SWEEP", "scanway.sweep_t", true, "scanway.full_sweep_t"};
 inline constexpr Channel kReferencePose{"REFERENCE_POSE", "scanway.reference_pose_t", false};
 inline constexpr Channel kSweepInputs{"SWEEP_INPUTS", "scanway.sweep_inputs_t", false};
 inline constexpr Channel kRegistration{"REGISTRATION", "scanway.registration_t", false};

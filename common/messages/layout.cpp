@@ -81,4 +81,9 @@ const Layout* find_layout(std::int64_t hash) {
   return found == all.end() ? nullptr : &*found;
 }
 
+const Layout* layout_on(const Channel& channel, std::span<const std::uint8_t> message) {
+  const Layout* const told = find_layout(fingerprint(message));
+  return told != nullptr && channel.carries(told->name) ? told : find_layout(channel.type);
+}
+
 }  // namespace scanway

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "common/bus/channels.h"
+
 namespace scanway {
 
 /// How an LCM type lies on the wire, read from the text of its .lcm file.
@@ -42,6 +44,10 @@ std::span<const Layout> layouts();
 /// have the same fingerprint; the first by name is found then.
 const Layout* find_layout(std::string_view name);
 const Layout* find_layout(std::int64_t hash);
+
+/// By which a message of the channel (an object of it, where it is cut) is to be read: that of the channel's type, or
+/// of its other type if the message says so. nullptr if the channel's type is unknown.
+const Layout* layout_on(const Channel& channel, std::span<const std::uint8_t> message);
 
 /// The fingerprint that a message begins with; 0 if it is too short to have one.
 std::int64_t fingerprint(std::span<const std::uint8_t> message);

@@ -37,12 +37,16 @@ std::vector<std::uint8_t> unshuffle(std::span<const std::uint8_t> planes) {
 }
 
 // Whether a message of this kind holds arrays of four-byte numbers.
+bool shuffle_pays(const Layout& layout) {
+  return std::any_of(layout.members.begin(), layout.members.end(), [](const Layout::Member& member) {
+    if (member.dimensions.empty()) return member.nested != nullptr && shuffle_pays(*member.nested);
+    return member.kind == Layout::Kind::float32 || member.kind == Layout::Kind::int32;
+  });
+}
+
 bool shuffle_pays(std::span<const std::uint8_t> object) {
   const Layout* const layout = find_layout(fingerprint(object));
-  if (layout == nullptr) return false;
-  return std::any_of(layout->members.begin(), layout->members.end(), [](const Layout::Member& member) {
-    return !member.dimensions.empty() && (member.kind == Layout::Kind::float32 || member.kind == Layout::Kind::int32);
-  });
+  return layout != nullptr && shuffle_pays(*layout);
 }
 
 std::vector<std::uint8_t> compress(std::span<const std::uint8_t> bytes) {

@@ -4,8 +4,50 @@
 #include <limits>
 
 #include "common/messages/bad_message.h"
+#include "scanway/full_sweep_t.hpp"
 
 namespace scanway {
+namespace {
+
+full_sweep_t to_full_message(const Sweep& sweep) {
+  full_sweep_t message{};
+  message.sweep = to_message(sweep);
+  message.nfans = static_cast<std::int32_t>(sweep.no_return.size());
+  for (const BeamFan& fan : sweep.no_return) {
+    message.first_x.push_back(fan.first[0]);
+    message.first_y.push_back(fan.first[1]);
+    message.first_z.push_back(fan.first[2]);
+    message.last_x.push_back(fan.last[0]);
+    message.last_y.push_back(fan.last[1]);
+    message.last_z.push_back(fan.last[2]);
+    message.beams.push_back(fan.beams);
+  }
+  return message;
+}
+
+bool is_unit(const BeamFan::Direction& d) {
+  const double length = Eigen::Vector3d(d[0], d[1], d[2]).norm() / 32767.0;
+  return length > 0.999 && length < 1.001;
+}
+
+bool is_fan(const BeamFan& fan) {
+  if (fan.beams < 1 || !is_unit(fan.first) || !is_unit(fan.last)) return false;
+  return (fan.direction(0) - fan.direction(fan.beams - 1)).norm() < kWidestFan_rad + 0.001;
+}
+
+std::vector<BeamFan> to_fans(const full_sweep_t& message) {
+  std::vector<BeamFan> fans;
+  fans.reserve(message.beams.size());
+  for (std::size_t i = 0; i < message.beams.size(); ++i) {
+    fans.push_back({{message.first_x[i], message.first_y[i], message.first_z[i]},
+                    {message.last_x[i], message.last_y[i], message.last_z[i]},
+                    message.beams[i]});
+    if (!is_fan(fans.back())) throw BadMessage("a sweep with beams that have no direction");
+  }
+  return fans;
+}
+
+}  // namespace
 
 sweep_t to_message(const Sweep& sweep) {
   sweep_t message{};
@@ -46,6 +88,19 @@ Sweep to_sweep(const sweep_t& message) {
   for (std::size_t i = 0; i < n; ++i) sweep.cloud.points[i] = {message.x[i], message.y[i], message.z[i]};
   sweep.cloud.intensity = message.intensity;
   sweep.time_offset_us = message.time_offset_us;
+  return sweep;
+}
+
+std::vector<std::uint8_t> encode(const Sweep& sweep) {
+  return sweep.no_return.empty() ? encode(to_message(sweep)) : encode(to_full_message(sweep));
+}
+
+template <>
+Sweep decode<Sweep>(std::span<const std::uint8_t> bytes) {
+  if (fingerprint(bytes) != full_sweep_t::getHash()) return to_sweep(decode<sweep_t>(bytes));
+  const auto message = decode<full_sweep_t>(bytes);
+  Sweep sweep = to_sweep(message.sweep);
+  sweep.no_return = to_fans(message);
   return sweep;
 }
 

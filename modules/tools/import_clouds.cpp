@@ -162,7 +162,7 @@ class ImportedLog {
 
   void write_sweep(const Sweep& sweep) {
     const std::int64_t before = log_.events();
-    publish_object(bus_, channel::kSweep, encode(to_message(sweep)), sweep.name, ++sweeps_, sweep.utime,
+    publish_object(bus_, channel::kSweep, encode(sweep), sweep.name, ++sweeps_, sweep.utime,
                    kBetweenPieces);
     const Utime pieces_end = sweep.utime + (log_.events() - before) * kBetweenPieces;
     next_scan_ = std::max(sweep.utime + kBetweenScans, pieces_end + 2 * kImuBeforeSweep);

@@ -26,7 +26,7 @@ void note_fault(ChannelSummary& channel, const std::string& fault) {
 }
 
 void expect_type(ChannelSummary& channel, const Channel* known, Bytes message) {
-  if (known != nullptr && type_name(fingerprint(message)) != known->type) ++channel.unexpected;
+  if (known != nullptr && !known->carries(type_name(fingerprint(message)))) ++channel.unexpected;
 }
 
 void add_object(LogSummary& log, ChannelSummary& channel, const Channel* known, const Object& object) {

@@ -9,7 +9,7 @@
 #include "common/bus/channels.h"
 #include "common/files/input_error.h"
 #include "common/messages/codec.h"
-#include "scanway/sweep_t.hpp"
+#include "common/messages/sweep_message.h"
 
 namespace scanway {
 
@@ -29,7 +29,7 @@ void ArrivalKeeper::take(const BusMessage& message) {
 }
 
 void ArrivalKeeper::keep(Object sweep) {
-  sweep.utime = decode<sweep_t>(sweep.bytes).utime;
+  sweep.utime = decode<Sweep>(sweep.bytes).utime;
   if (store_.has(sweep)) return;  // With the orientation that it was used with.
   // An orientation after the sweep closes it at once; until then, the newest before it is the one that it will use.
   const bool before = imu_utime_ <= sweep.utime;

@@ -108,8 +108,7 @@ void MapperNode::take_imu(const BusMessage& message) {
 
 void MapperNode::take_piece(const BusMessage& message) {
   ++news_;
-  sweeps_.take(message.bytes, [this](const sweep_t& arrived, Object& object) {
-    Sweep sweep = to_sweep(arrived);
+  sweeps_.take(message.bytes, [this](Sweep&& sweep, Object& object) {
     const Utime utime = sweep.utime;
     object.utime = utime;
     if (store_ == nullptr) object.bytes = {};

@@ -25,7 +25,6 @@
 #include "modules/mapper/node/sweep_store.h"
 #include "scanway/map_state_t.hpp"
 #include "scanway/sweep_inputs_t.hpp"
-#include "scanway/sweep_t.hpp"
 
 namespace scanway {
 
@@ -99,7 +98,7 @@ class MapperNode {
   StageListener* stages_;
   Mapper mapper_;
   MapPublisher publisher_;
-  ObjectInput<sweep_t> sweeps_;
+  ObjectInput<Sweep> sweeps_;
   OrderedMerge<Input> inputs_;
   std::optional<Orientation> newest_orientation_;  // That the merge let go.
   std::optional<Orientation> orientation_;         // Of the sweep that is worked on.

@@ -247,7 +247,7 @@ void SweepAssembler::make(const Number& number, const OpenSweep& sweep) {
 
 void SweepAssembler::publish(const AssembledSweep& assembled, Utime ended, sweep_inputs_t inputs) {
   const Sweep& sweep = assembled.sweep;
-  const auto bytes = encode(to_message(sweep));
+  const auto bytes = encode(sweep);
   inputs.utime = sweep.utime;
   inputs.sweep_name = sweep.name;
   inputs.sweep_digest = static_cast<std::int64_t>(digest(bytes));

@@ -40,7 +40,7 @@ RecordedName name_of(std::string_view channel, std::span<const std::uint8_t> mes
 RecordedLog::RecordedLog(const std::string& path) : log_(path) {
   while (const auto event = log_.next()) take(*event);
   for (auto& [name, object] : objects_) {
-    object.check(*find_layout(find_channel(name.channel)->type));
+    object.check(*find_channel(name.channel));
     if (is_mapper_product(name.channel)) products_[object.utime()].insert(name);
   }
 }

@@ -45,7 +45,7 @@ void RecordedObject::add(const piece_t& piece, Bytes encoded) {
   }
 }
 
-void RecordedObject::check(const Layout& type) {
+void RecordedObject::check(const Channel& channel) {
   if (!fault_.empty() || !whole()) return;
   const auto object = bytes();
   if (!object) {
@@ -53,7 +53,7 @@ void RecordedObject::check(const Layout& type) {
   } else if (utime_of(*object) != utime_) {
     fault_ = "its pieces say another time than its bytes";
   } else {
-    fault_ = find_fault(type, *object);
+    fault_ = find_fault(*layout_on(channel, *object), *object);
   }
 }
 

@@ -34,8 +34,8 @@ class RecordedObject {
 
   /// `encoded` is the piece as it was logged; it is borrowed.
   void add(const piece_t& piece, Bytes encoded);
-  /// After the last piece: whether they are what they say, a message of that type.
-  void check(const Layout& type);
+  /// After the last piece: whether they are what they say, a message of that channel.
+  void check(const Channel& channel);
 
   Utime utime() const { return utime_; }
   bool whole() const { return static_cast<std::size_t>(npieces_) == pieces_.size(); }

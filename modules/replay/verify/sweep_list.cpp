@@ -8,12 +8,12 @@
 #include "common/files/printable.h"
 #include "common/messages/codec.h"
 #include "common/messages/digest.h"
+#include "common/messages/sweep_message.h"
 #include "scanway/cloud_tile_t.hpp"
 #include "scanway/cost_map_index_t.hpp"
 #include "scanway/cost_tile_t.hpp"
 #include "scanway/laser_line_t.hpp"
 #include "scanway/octomap_t.hpp"
-#include "scanway/sweep_t.hpp"
 
 namespace scanway {
 namespace {
@@ -87,7 +87,7 @@ const RecordedObject* find_sweep(const RecordedLog& log, const sweep_inputs_t& l
 
 /// Why the list cannot be of that sweep; empty: it can.
 std::string contradiction(const sweep_inputs_t& listed, const RecordedObject& object) {
-  const auto sweep = decode<sweep_t>(object.bytes().value());
+  const auto sweep = decode<Sweep>(object.bytes().value());
   if (sweep.utime == listed.utime && sweep.name == listed.sweep_name) return {};
   return fmt::format("SWEEP_INPUTS of {} at {} is not of the sweep that it names, {} at {}",
                      printable(listed.sweep_name), listed.utime, printable(sweep.name), sweep.utime);

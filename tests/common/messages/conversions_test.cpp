@@ -77,6 +77,55 @@ TEST(SweepMessage, RefusesWhatContradictsItself) {
   EXPECT_THROW(to_sweep(bad), BadMessage);
 }
 
+Sweep with_fans(Sweep sweep, Random& random) {
+  for (int i = 0; i < 30; ++i) {
+    const double a = 6.28 * random.uniform(), z = 2 * random.uniform() - 1, r = std::sqrt(1 - z * z);
+    const double b = a + 0.1 * random.uniform();
+    sweep.no_return.push_back({to_direction({r * std::cos(a), r * std::sin(a), z}),
+                               to_direction({r * std::cos(b), r * std::sin(b), z}),
+                               static_cast<std::int16_t>(1 + random.below(60))});
+  }
+  return sweep;
+}
+
+TEST(SweepObject, IsTheSameAsEverWithoutBeamsThatGaveNoReturn) {
+  Random random(4);
+  const Sweep sweep = random_sweep(random, 50);
+  EXPECT_EQ(encode(sweep), encode(to_message(sweep)));
+  EXPECT_EQ(decode<Sweep>(encode(to_message(sweep))).cloud.points, sweep.cloud.points);
+  EXPECT_TRUE(decode<Sweep>(encode(sweep)).no_return.empty());
+}
+
+TEST(SweepObject, CarriesTheBeamsThatGaveNoReturn) {
+  Random random(5);
+  for (const std::size_t points : {0, 40}) {
+    const Sweep sweep = with_fans(random_sweep(random, points), random);
+    const auto bytes = encode(sweep);
+    const Sweep back = decode<Sweep>(bytes);
+    EXPECT_EQ(back.no_return, sweep.no_return);
+    EXPECT_EQ(back.cloud.points, sweep.cloud.points);
+    EXPECT_EQ(back.utime, sweep.utime);
+    EXPECT_EQ(encode(back), bytes);
+  }
+}
+
+TEST(SweepObject, RefusesBeamsWithoutDirection) {
+  Random random(6);
+  const Sweep good = with_fans(random_sweep(random, 5), random);
+  const auto refused = [&](const auto& spoil) {
+    Sweep sweep = good;
+    spoil(sweep.no_return[7]);
+    EXPECT_THROW(decode<Sweep>(encode(sweep)), BadMessage);
+  };
+  refused([](BeamFan& fan) { fan.beams = 0; });
+  refused([](BeamFan& fan) { fan.beams = -5; });
+  refused([](BeamFan& fan) { fan.first = {0, 0, 0}; });
+  refused([](BeamFan& fan) { fan.last = {32767, 32767, 0}; });
+  refused([](BeamFan& fan) {
+    fan = {to_direction({1, 0, 0}), to_direction({0, 1, 0}), 9};  // A quarter of a turn.
+  });
+}
+
 TEST(ImuMessage, CarriesTheQuaternionWithWFirst) {
   const Eigen::Quaterniond R(Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitZ()));
   const auto message = imu_message(12, R);

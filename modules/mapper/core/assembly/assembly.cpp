@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "common/geometry/pose.h"
@@ -25,6 +26,7 @@ struct Part {
   std::vector<Eigen::Vector3f> points;
   std::vector<float> intensity;
   std::vector<double> after_us;  ///< Since the sweep's start.
+  std::vector<BeamFan> no_return;
   AssemblyReport report;
 };
 
@@ -40,16 +42,15 @@ class LineAssembler {
   void add(const ScanLine& line, Part& part) const {
     bool in_sweep = false;
     for (std::size_t beam = 0; beam < line.range_counts.size(); ++beam) {
-      const double into_line_us = static_cast<double>(beam) * line.beam_period_us;
-      const double after_us = static_cast<double>(line.utime - input_.started) + into_line_us;
-      if (after_us < 0.0 || after_us > static_cast<double>(input_.ended - input_.started)) continue;
+      const double after_us = time_of(line, beam);
+      if (!in_sweep_time(after_us)) continue;
       in_sweep = true;
       add_beam(line, beam, after_us, part);
     }
     if (!in_sweep) return;
     ++part.report.lines;
     part.report.missing_beams += line.missing_beams;
-    part.report.no_return -= line.missing_beams;  // They count as 0, and are none.
+    add_no_return(line, part);
   }
 
   /// The mirror goes round the pan axis: the middle of its way.
@@ -59,6 +60,18 @@ class LineAssembler {
   }
 
  private:
+  /// Microseconds since the sweep's start.
+  double time_of(const ScanLine& line, std::size_t beam) const {
+    return static_cast<double>(line.utime - input_.started) + static_cast<double>(beam) * line.beam_period_us;
+  }
+  bool in_sweep_time(double after_us) const {
+    return after_us >= 0.0 && after_us <= static_cast<double>(input_.ended - input_.started);
+  }
+  std::optional<Pose> X_base_laser_at(double after_us) const {
+    const auto angles = track_.at(after_us + static_cast<double>(input_.started - track_.start()));
+    return angles ? std::optional(X_base_laser(*angles)) : std::nullopt;
+  }
+
   Pose X_base_laser(const PanTiltAngles& angles) const {
     Pose X_pan0_tilt = Pose::Identity();
     X_pan0_tilt.linear() = rotation_about_z(angles.pan) * exp_so3({0.0, angles.tilt, 0.0});
@@ -67,23 +80,22 @@ class LineAssembler {
 
   void add_beam(const ScanLine& line, std::size_t beam, double after_us, Part& part) const {
     const std::uint16_t count = line.range_counts[beam];
+    if (count == kNeverCame) return;
     if (count < kFirstRangeCount) {
       ++part.report.no_return;
       return;
     }
-    const double range = count * line.range_scale_m + line.range_offset_m;
+    const double range = range_of(line, beam);
     if (range < robot_.laser.min_range_m || range > robot_.laser.max_range_m) {
       ++part.report.out_of_range;
       return;
     }
-    const auto angles = track_.at(after_us + static_cast<double>(input_.started - track_.start()));
-    if (!angles) {
+    const auto X_base_laser = X_base_laser_at(after_us);
+    if (!X_base_laser) {
       ++part.report.without_angle;
       return;
     }
-    const double angle = line.start_angle_rad + static_cast<double>(beam) * line.angle_step_rad;
-    const Vector3d in_laser(range * repeatable::sin(angle), -range * repeatable::cos(angle), 0.0);
-    const Vector3d p = X_base_laser(*angles) * in_laser;
+    const Vector3d p = *X_base_laser * Vector3d(range * direction_in_laser(line, beam));
     if (on_robot(p)) {
       ++part.report.on_robot;
       return;
@@ -93,6 +105,41 @@ class LineAssembler {
     if (!line.rssi_counts.empty()) {
       part.intensity.push_back(static_cast<float>(line.rssi_counts[beam] * line.rssi_scale + line.rssi_offset));
     }
+  }
+
+  static double range_of(const ScanLine& line, std::size_t beam) {
+    return line.range_counts[beam] * line.range_scale_m + line.range_offset_m;
+  }
+  static Vector3d direction_in_laser(const ScanLine& line, std::size_t beam) {
+    const double angle = line.start_angle_rad + static_cast<double>(beam) * line.angle_step_rad;
+    return {repeatable::sin(angle), -repeatable::cos(angle), 0.0};
+  }
+
+  /// A beam that met nothing, or only what lies beyond the laser's range. Dazzled beams and those that never came say
+  /// nothing of what is there.
+  void add_no_return(const ScanLine& line, Part& part) const {
+    const auto met_nothing = [&](int i) {
+      const auto beam = static_cast<std::size_t>(i);
+      const std::uint16_t count = line.range_counts[beam];
+      const bool beyond = count >= kFirstRangeCount && range_of(line, beam) > robot_.laser.max_range_m;
+      return (count == kNoReturn || beyond) && in_sweep_time(time_of(line, beam));
+    };
+    find_fans(static_cast<int>(line.range_counts.size()), line.angle_step_rad, met_nothing, [&](int first, int last) {
+      const auto from = clear_direction(line, first), to = clear_direction(line, last);
+      if (from && to) part.no_return.push_back({*from, *to, static_cast<std::int16_t>(last - first + 1)});
+    });
+  }
+
+  /// Nothing where the pan's angle is not known, and where the robot's own body is in the beam's way.
+  std::optional<BeamFan::Direction> clear_direction(const ScanLine& line, int i) const {
+    const auto beam = static_cast<std::size_t>(i);
+    const auto X_base_laser = X_base_laser_at(time_of(line, beam));
+    if (!X_base_laser) return std::nullopt;
+    const Vector3d laser = X_base_laser->translation();
+    const Vector3d direction = X_base_laser->linear() * direction_in_laser(line, beam);
+    const double above = laser.z() - robot_.body.height_m;
+    if (direction.z() < 0.0 && on_robot(laser + direction * (above / -direction.z()))) return std::nullopt;
+    return to_direction(direction);
   }
 
   /// Above the footprint and below the robot's height there is nothing but the robot.
@@ -159,6 +206,7 @@ AssembledSweep assemble(const AssemblyInput& input, const Robot& robot) {
     sweep.cloud.points.insert(sweep.cloud.points.end(), part.points.begin(), part.points.end());
     sweep.cloud.intensity.insert(sweep.cloud.intensity.end(), part.intensity.begin(), part.intensity.end());
     after_us.insert(after_us.end(), part.after_us.begin(), part.after_us.end());
+    sweep.no_return.insert(sweep.no_return.end(), part.no_return.begin(), part.no_return.end());
     add_counts(result.report, part.report);
   }
   if (sweep.cloud.intensity.size() != sweep.cloud.size()) sweep.cloud.intensity.clear();  // Not all lines had it.

@@ -35,7 +35,7 @@ bool LineCollector::add(const LinePiece& piece) {
   Line& line = entry->second;
   if (is_new) {
     line.line = piece.line;
-    line.line.range_counts.assign(beams, 0);
+    line.line.range_counts.assign(beams, kNeverCame);
     line.line.rssi_counts.assign(piece.line.rssi_counts.empty() ? 0 : beams, 0);
     line.line.missing_beams = piece.beams_of_line;
     line.came.assign(beams, false);

@@ -20,11 +20,13 @@ struct ScanLine {
   double range_offset_m = 0.0;
   double rssi_scale = 1.0;
   double rssi_offset = 0.0;
-  std::vector<std::uint16_t> range_counts;  ///< Below kFirstRangeCount: no return.
+  std::vector<std::uint16_t> range_counts;  ///< Below kFirstRangeCount: no range.
   std::vector<std::uint16_t> rssi_counts;   ///< Empty, or one a beam.
-  std::int32_t missing_beams = 0;           ///< That never came; their counts are 0.
+  std::int32_t missing_beams = 0;           ///< That never came; their counts are kNeverCame.
 };
 
+constexpr std::uint16_t kNoReturn = 0;
+constexpr std::uint16_t kNeverCame = 15;  // Reserved by the scanner, which sends none of it.
 constexpr std::uint16_t kFirstRangeCount = 16;
 
 /// Where the pan-tilt was, radians.

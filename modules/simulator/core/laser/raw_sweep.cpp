@@ -33,7 +33,24 @@ struct LinePoints {
   std::vector<float> rssi;
   std::vector<double> time_us;
   std::vector<Label> labels;
+  std::vector<BeamFan> no_return;
 };
+
+std::vector<BeamFan> fans_of_line(const RawSweep& raw, int row) {
+  std::vector<BeamFan> fans;
+  const auto direction = [&](int column) {
+    const int beam = raw.beam_of(column);
+    const double angle = raw.pattern.angle(beam),
+                 pan = raw.pattern.pan_angle(raw.pattern.beam_time_us(raw.line_of(row), beam));
+    const Eigen::Vector3d in_laser(repeatable::cos(angle), repeatable::sin(angle), 0.0);
+    return to_direction(raw.pattern.X_base_laser(pan).linear() * in_laser);
+  };
+  const auto none = [&](int column) { return raw.reading(row, column).range_count == 0; };
+  find_fans(raw.beams, raw.pattern.angle_step() * raw.thin, none, [&](int first, int last) {
+    fans.push_back({direction(first), direction(last), static_cast<std::int16_t>(last - first + 1)});
+  });
+  return fans;
+}
 
 LinePoints line_points(const RawSweep& raw, const Robot& robot, int row, bool keep_body) {
   LinePoints line;
@@ -51,6 +68,7 @@ LinePoints line_points(const RawSweep& raw, const Robot& robot, int row, bool ke
     line.time_us.push_back(time_us);
     line.labels.push_back(reading.label);
   }
+  line.no_return = fans_of_line(raw, row);
   return line;
 }
 
@@ -101,6 +119,7 @@ LabelledSweep points_of(const RawSweep& raw, const Robot& robot, bool keep_body)
     sweep.cloud.intensity.insert(sweep.cloud.intensity.end(), line.rssi.begin(), line.rssi.end());
     time_us.insert(time_us.end(), line.time_us.begin(), line.time_us.end());
     result.labels.insert(result.labels.end(), line.labels.begin(), line.labels.end());
+    sweep.no_return.insert(sweep.no_return.end(), line.no_return.begin(), line.no_return.end());
   }
   const double last_us = time_us.empty() ? 0.0 : std::floor(time_us.back() + 0.5);
   sweep.utime = raw.pattern.start() + static_cast<Utime>(last_us);

@@ -96,7 +96,7 @@ TEST(SweepAssembler, LinesThatNeverComeAreCountedAfterABound) {
   message.utime += 41 * kMicrosecondsPerSecond;
   assembler.feed({imu.channel, encode(message), 0});
   ASSERT_EQ(assembler.sweeps.size(), 1U);
-  EXPECT_EQ(assembler.sweeps[0].bytes, encode(to_message(expected(log).sweep)));
+  EXPECT_EQ(assembler.sweeps[0].bytes, encode(expected(log).sweep));
   EXPECT_EQ(assembler.node.counters().at("assembler_missing_lines"), 5);
   EXPECT_LE(assembler.node.counters().at("assembler_lines_asked"), 5 * 10) << "asked for with a cap";
   EXPECT_EQ(assembler.node.summary(), "sweep_7: lacks 5 lines");

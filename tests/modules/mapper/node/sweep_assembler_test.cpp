@@ -20,7 +20,7 @@ TEST(SweepAssembler, MakesWhatTheCoreMakesAndSaysOfWhat) {
   const AssembledSweep core = expected(raw_log());
   ASSERT_EQ(assembler.sweeps.size(), 1U);
   const Object& object = assembler.sweeps[0];
-  EXPECT_EQ(object.bytes, encode(to_message(core.sweep)));
+  EXPECT_EQ(object.bytes, encode(core.sweep));
   EXPECT_EQ(object.key, "sweep_7");
   ASSERT_EQ(assembler.origins.size(), 1U);
   const SweepOrigin& origin = assembler.origins[0];
@@ -76,7 +76,7 @@ TEST(SweepAssembler, TheOrderOfArrivalBetweenChannelsChangesNothing) {
   Assembler straight;
   straight.feed(with_tail());
   ASSERT_EQ(straight.sweeps.size(), 1U);
-  EXPECT_EQ(straight.sweeps[0].bytes, encode(to_message(expected(raw_log()).sweep)));
+  EXPECT_EQ(straight.sweeps[0].bytes, encode(expected(raw_log()).sweep));
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     Assembler mixed;
     mixed.feed(delayed(with_tail(), seed));

@@ -145,6 +145,55 @@ TEST(Assembly, IsWhatThePerfectAssemblerMakes) {
   EXPECT_GE(report.points + report.no_return + report.out_of_range + report.on_robot, 299 * 191);
 }
 
+/// The directions of a sweep's beams without return.
+std::vector<Eigen::Vector3d> no_return_of(const Sweep& sweep) {
+  std::vector<Eigen::Vector3d> directions;
+  for (const BeamFan& fan : sweep.no_return) {
+    for (int i = 0; i < fan.beams; ++i) directions.push_back(fan.direction(i));
+  }
+  return directions;
+}
+
+TEST(Assembly, SaysWhereBeamsWentThatMetNothing) {
+  const simulator::World field = simulator::make_world("field", 2);
+  const Robot robot = simulator::test::quick_robot();
+  const auto place = places_on_route(field, 1).at(0);
+  const Pose X = stand_at(field, robot, place).X_world_base;
+  const RawSweep raw = simulate_lines(field, robot, X, SweepConfig{});
+  const AssembledSweep assembled = assemble(input_of(raw, robot, X), robot);
+  const auto found = no_return_of(assembled.sweep);
+  ASSERT_GT(found.size(), 20'000U);  // The sky.
+  std::size_t next = 0, left_out = 0;
+  for (int row = 0; row < raw.lines; ++row) {
+    for (int column = 0; column < raw.beams; ++column) {
+      if (raw.reading(row, column).range_count != 0) continue;
+      const double time_us = raw.pattern.beam_time_us(row, column), angle = raw.pattern.angle(column);
+      const Eigen::Vector3d expected = raw.pattern.X_base_laser(raw.pattern.pan_angle(time_us)).linear() *
+                                       Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0);
+      if (next < found.size() && (found[next] - expected).norm() < 3e-4) {
+        ++next;
+      } else {
+        ++left_out;
+      }
+    }
+  }
+  EXPECT_EQ(next, found.size()) << "every direction is that of a beam without return, in its order";
+  EXPECT_LT(left_out, found.size() / 200) << "after the pan's end, and towards the robot itself";
+  EXPECT_EQ(no_return_of(points_of(raw, robot).sweep).size(), found.size() + left_out);
+}
+
+TEST(Assembly, ADazzledBeamAndOneThatNeverCameSayNothingOfWhatIsThere) {
+  Small small;
+  const std::size_t before = no_return_of(assemble(small.input, small.robot).sweep).size();
+  auto& counts = small.input.lines[20].range_counts;
+  counts[100] = counts[101] = kNoReturn;
+  counts[102] = 1;  // Dazzled.
+  counts[103] = kNeverCame;
+  counts[104] = kNoReturn;
+  const Sweep sweep = assemble(small.input, small.robot).sweep;
+  EXPECT_EQ(no_return_of(sweep).size(), before + 3);
+}
+
 TEST(Assembly, TiltTurnsTheLaserForwardAndDown) {
   Small small;
   SweepConfig config;
@@ -174,7 +223,7 @@ TEST(Assembly, CountsWhatIsMissing) {
   AssemblyInput input = small.input;
   input.lines.erase(input.lines.begin() + 50, input.lines.begin() + 57);
   input.lines[20].missing_beams = 30;
-  std::fill_n(input.lines[20].range_counts.begin(), 30, std::uint16_t{0});
+  std::fill_n(input.lines[20].range_counts.begin(), 30, kNeverCame);
   const AssemblyReport all = assemble(small.input, small.robot).report, some = assemble(input, small.robot).report;
   EXPECT_EQ(some.lines, 293);
   EXPECT_EQ(some.missing_lines, 7);
