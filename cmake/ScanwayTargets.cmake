@@ -41,15 +41,18 @@ function(scanway_program name)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin")
 endfunction()
 
-# scanway_test(name LINKS targets... [LABEL all] [TIMEOUT seconds]): the GoogleTest program of all *_test.cpp in
-# this folder. Tests labelled `all` run only with `tests/run --all`.
+# scanway_test(name LINKS targets... [LABEL all] [TIMEOUT seconds] [ONE_BY_ONE]): the GoogleTest program of all *_test.cpp
+# in this folder, compiled as one file unless ONE_BY_ONE. Tests labelled `all` run only with `tests/run --all`.
 function(scanway_test name)
-  cmake_parse_arguments(ARG "" "LABEL;TIMEOUT" "LINKS" ${ARGN})
+  cmake_parse_arguments(ARG "ONE_BY_ONE" "LABEL;TIMEOUT" "LINKS" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS *.cpp)
   add_executable(${name} ${sources})
   scanway_target_options(${name})
   # A test's own code is compiled more often than it runs.
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+  if(NOT ARG_ONE_BY_ONE)
+    set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 16)
+  endif()
   target_link_libraries(${name} PRIVATE ${ARG_LINKS} GTest::gtest GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE
     SCANWAY_SOURCE_DIR="${PROJECT_SOURCE_DIR}"

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "common/cloud/cloud_formats.h"
-#include "common/cloud/text_lines.h"
 #include "common/files/printable.h"
+#include "common/files/text_lines.h"
 
 namespace scanway::cloud_formats {
 namespace {

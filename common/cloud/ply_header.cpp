@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "common/cloud/cloud_formats.h"
-#include "common/cloud/text_lines.h"
 #include "common/files/printable.h"
+#include "common/files/text_lines.h"
 
 namespace scanway::cloud_formats {
 namespace {

@@ -5,9 +5,9 @@
 
 #include "common/cloud/cloud_formats.h"
 #include "common/cloud/read_cloud.h"
-#include "common/cloud/text_lines.h"
 #include "common/files/printable.h"
 #include "common/files/read_file.h"
+#include "common/files/text_lines.h"
 
 namespace scanway {
 namespace {

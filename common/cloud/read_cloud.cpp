@@ -5,10 +5,10 @@
 #include <filesystem>
 
 #include "common/cloud/cloud_formats.h"
-#include "common/cloud/text_lines.h"
 #include "common/files/input_error.h"
 #include "common/files/printable.h"
 #include "common/files/read_file.h"
+#include "common/files/text_lines.h"
 
 namespace scanway {
 namespace {

@@ -6,8 +6,8 @@
 #include "common/cloud/lzf.h"
 #include "common/cloud/pcd_header.h"
 #include "common/cloud/scalar_columns.h"
-#include "common/cloud/text_lines.h"
 #include "common/files/printable.h"
+#include "common/files/text_lines.h"
 
 namespace scanway::cloud_formats {
 namespace {

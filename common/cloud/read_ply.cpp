@@ -4,8 +4,8 @@
 #include "common/cloud/cloud_formats.h"
 #include "common/cloud/ply_header.h"
 #include "common/cloud/scalar_columns.h"
-#include "common/cloud/text_lines.h"
 #include "common/files/printable.h"
+#include "common/files/text_lines.h"
 
 namespace scanway::cloud_formats {
 namespace {

@@ -3,8 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
-#include "common/files/printable.h"
-
 namespace scanway {
 namespace {
 

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <spdlog/spdlog.h>
+
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "common/files/printable.h"
 #include "common/process/program.h"
 
 namespace scanway {
@@ -33,5 +36,15 @@ struct BridgeWork {
 /// Lets a bridge serve its device, and the bus between, until the process is asked to end. What the device says is
 /// published at once; what the bus says waits for at most 10 ms.
 void serve_device(LiveBus& bus, const BridgeWork& work);
+
+/// The same for a node that has its device within: what run() found amiss, and the device's welcome, go into the log.
+template <class Node>
+void serve_device(LiveBus& bus, Node& node) {
+  const auto turn = [&node](int wait_ms) {
+    for (const std::string& trouble : node.run(wait_ms)) spdlog::warn("{}", printable(trouble));
+    if (const std::string welcome = node.take_welcome(); !welcome.empty()) spdlog::info("{}", printable(welcome));
+  };
+  serve_device(bus, BridgeWork{turn, [&bus, &node] { bus.report(node.counters(), node.summary()); }});
+}
 
 }  // namespace scanway

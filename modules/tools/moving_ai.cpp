@@ -7,10 +7,10 @@
 
 #include <fmt/format.h>
 
-#include "common/cloud/text_lines.h"
 #include "common/files/input_error.h"
 #include "common/files/printable.h"
 #include "common/files/read_file.h"
+#include "common/files/text_lines.h"
 
 namespace scanway::tools {
 namespace {

@@ -4,17 +4,15 @@
 
 #include <CLI/CLI.hpp>
 
-#include "common/bus/lcm_url.h"
 #include "common/clock/host_time.h"
 #include "common/config/robot_file.h"
 #include "common/process/bridge.h"
+#include "common/process/process_bus.h"
 #include "modules/base_bridge/device/base_driver.h"
 #include "modules/base_bridge/node/base_node.h"
 
 namespace scanway::erratic {
 namespace {
-
-constexpr auto kListenForTwins = std::chrono::milliseconds(1500);
 
 void report(LiveBus& bus, const BaseDriver& driver, const BaseNode& node) {
   auto counters = node.counters();
@@ -28,17 +26,14 @@ int run(const BridgeOptions& bridge, const std::string& port) {
     const ProbeResult result = probe(port);
     return tell_probe(result.lines, result.works);
   }
-  const Identity who = this_process("base_bridge");
-  LcmBus lcm(lcm_url(bridge.lcm_url));
-  if (!lcm.advice().empty()) spdlog::warn("{}", lcm.advice());
-  LiveBus bus(lcm, who);
+  ProcessBus process(bridge.lcm_url, this_process("base_bridge"));
+  LiveBus& bus = process.live();
   BaseConfig config;
   config.drive.max_speed_m_s = robot.body.max_speed_m_s;
   config.drive.max_turn_rate_rad_s = robot.body.max_turn_rate;
   BaseDriver driver(port, config);
   BaseNode node(bus, driver.core());
-  bus.start();
-  bus.refuse_twins(kListenForTwins);
+  process.start();
   spdlog::info("ready");
 
   const auto turn = [&](int timeout_ms) {

@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "common/bus/channels.h"
-#include "common/bus/lcm_url.h"
 #include "common/messages/codec.h"
 #include "common/process/params_teller.h"
+#include "common/process/process_bus.h"
 #include "common/process/program.h"
 #include "common/process/work_timer.h"
 #include "modules/mapper/node/arrival_keeper.h"
@@ -16,8 +16,6 @@
 
 namespace scanway {
 namespace {
-
-constexpr auto kListenForTwins = std::chrono::milliseconds(1500);
 
 /// Makes the map that the process had when it ended; only those who lack it get it again.
 void restore(LiveBus& bus, MapperNode& node, const SweepStore& store) {
@@ -40,8 +38,6 @@ void tell_health(LiveBus& bus, const MapperNode& node, const SweepAssembler& ass
 int run(const ProgramOptions& options) {
   const Robot robot = robot_of(options);
   const Identity who = this_process("mapper");
-  LcmBus lcm(lcm_url(options.lcm_url));
-  if (!lcm.advice().empty()) spdlog::warn("{}", lcm.advice());
   LiveBusOptions live = live_bus_options(options);
   for (const Channel* said_once : {&channel::kSweepInputs, &channel::kRegistration, &channel::kPose}) {
     live.repeated.emplace_back(said_once->name);
@@ -53,7 +49,8 @@ int run(const ProgramOptions& options) {
     live.tap = [&keeper](const BusMessage& message) { keeper->take(message); };
   }
 
-  LiveBus bus(lcm, who, live);
+  ProcessBus process(options.lcm_url, who, live);
+  LiveBus& bus = process.live();
   WorkTimer timer(bus);
   ParamsTeller params(bus, who.process, robot, who.start);
   MapperNode node(bus, robot, &timer);
@@ -62,8 +59,7 @@ int run(const ProgramOptions& options) {
     timer.finish(sweep, utime);
     params.tell();
   });
-  bus.start();
-  bus.refuse_twins(kListenForTwins);
+  process.start();
   params.tell();
   if (store) restore(bus, node, *store);
   spdlog::info("ready: map version {}", node.mapper().map().version());

@@ -6,12 +6,12 @@
 #include <string>
 
 #include "common/bus/channels.h"
-#include "common/bus/lcm_url.h"
 #include "common/bus/log_reader.h"
 #include "common/bus/log_writer.h"
 #include "common/files/input_error.h"
 #include "common/files/product_folder.h"
 #include "common/process/params_teller.h"
+#include "common/process/process_bus.h"
 #include "common/process/program.h"
 #include "common/process/work_timer.h"
 #include "modules/planner/node/planner_node.h"
@@ -19,7 +19,6 @@
 namespace scanway {
 namespace {
 
-constexpr auto kListenForTwins = std::chrono::milliseconds(1500);
 constexpr Utime kClockUnused = 0;
 
 /// Keeps the operator's goal over a restart, as a log with that one message.
@@ -56,12 +55,11 @@ class GoalFile {
 
 int run(const ProgramOptions& options) {
   const Robot robot = robot_of(options);
-  LcmBus lcm(lcm_url(options.lcm_url));
-  if (!lcm.advice().empty()) spdlog::warn("{}", lcm.advice());
   const GoalFile kept_goal(options.state);
 
   const Identity who = this_process("planner");
-  LiveBus bus(lcm, who, live_bus_options(options));
+  ProcessBus process(options.lcm_url, who, live_bus_options(options));
+  LiveBus& bus = process.live();
   WorkTimer timer(bus);
   ParamsTeller params(bus, who.process, robot, who.start);
   PlannerNode node(bus, robot, &timer, PlannerNode::Pace::live);
@@ -70,8 +68,7 @@ int run(const ProgramOptions& options) {
     params.tell();
   });
   bus.subscribe(channel::kGoal.name, [&](const BusMessage& goal) { kept_goal.keep(goal); });
-  bus.start();
-  bus.refuse_twins(kListenForTwins);
+  process.start();
   params.tell();
   kept_goal.tell([&node](const BusMessage& goal) { node.take_goal(goal); });
   spdlog::info("ready");

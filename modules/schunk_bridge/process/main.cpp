@@ -6,17 +6,16 @@
 #include <algorithm>
 
 #include "common/bus/channels.h"
-#include "common/bus/lcm_url.h"
 #include "common/clock/host_time.h"
 #include "common/config/robot_file.h"
 #include "common/files/input_error.h"
 #include "common/process/bridge.h"
+#include "common/process/process_bus.h"
 #include "modules/schunk_bridge/device/pan_tilt_driver.h"
 #include "modules/schunk_bridge/node/pan_tilt_node.h"
 
 namespace scanway::schunk {
 namespace {
-constexpr auto kListenForTwins = std::chrono::milliseconds(1500);
 /// What the bus says waits for the device's turn at the most: stops must not wait.
 constexpr int kLongestTurnMs = 4;
 /// Until a stop is on its way and answered.
@@ -77,15 +76,13 @@ int run(const BridgeOptions& bridge, const Options& options) {
     return tell_probe(result.lines, result.works);
   }
   const Identity who = this_process("schunk_bridge");
-  LcmBus lcm(lcm_url(bridge.lcm_url));
-  if (!lcm.advice().empty()) spdlog::warn("{}", lcm.advice());
   LiveBusOptions live;
   live.repeated = {std::string(channel::kSweepMark.name)};
-  LiveBus bus(lcm, who, live);
+  ProcessBus process(bridge.lcm_url, who, live);
+  LiveBus& bus = process.live();
   PanTiltDriver driver(options.can, config);
   PanTiltNode node(bus, driver.core(), who.start);
-  bus.start();
-  bus.refuse_twins(kListenForTwins);
+  process.start();
   if (is_pretended_can(options.can)) spdlog::warn("{}: not a CAN bus, but a program that pretends one", options.can);
   spdlog::info("ready");
 

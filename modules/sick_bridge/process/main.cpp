@@ -4,9 +4,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "common/bus/lcm_url.h"
-#include "common/files/printable.h"
 #include "common/process/bridge.h"
+#include "common/process/process_bus.h"
 #include "modules/sick_bridge/device/probe.h"
 #include "modules/sick_bridge/node/lms_options.h"
 #include "modules/sick_bridge/node/sick_node.h"
@@ -14,7 +13,6 @@
 namespace scanway::sick {
 namespace {
 
-constexpr auto kListenForTwins = std::chrono::milliseconds(1500);
 constexpr double kBytesPerMbit = 125e3;
 
 struct Options {
@@ -50,21 +48,15 @@ int run(const BridgeOptions& bridge, Options& options) {
   const LmsConfig config = lms_config(options.lms, robot_of(bridge.robot).laser);
   if (bridge.probe) return probe(options.address, config);
   const Identity who = this_process("sick_bridge");
-  LcmBus lcm(lcm_url(bridge.lcm_url));
-  if (!lcm.advice().empty()) spdlog::warn("{}", lcm.advice());
-  LiveBus bus(lcm, who);
+  ProcessBus process(bridge.lcm_url, who);
+  LiveBus& bus = process.live();
   LmsDevice device(options.address, config);
   options.node.laser_scan = !options.no_laser_scan;
   options.node.archive.bytes_per_second = options.resend_mbit_s * kBytesPerMbit;
   SickNode node(bus, device, who.start, options.node);
-  bus.start();
-  bus.refuse_twins(kListenForTwins);
+  process.start();
   spdlog::info("ready: {}", device.name());
-  const auto turn = [&node](int wait_ms) {
-    for (const std::string& trouble : node.run(wait_ms)) spdlog::warn("{}", printable(trouble));
-    if (const std::string welcome = node.take_welcome(); !welcome.empty()) spdlog::info("{}", printable(welcome));
-  };
-  serve_device(bus, {turn, [&bus, &node] { bus.report(node.counters(), node.summary()); }});
+  serve_device(bus, node);
   spdlog::info("ended");
   return 0;
 }

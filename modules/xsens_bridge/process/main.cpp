@@ -4,16 +4,13 @@
 
 #include <CLI/CLI.hpp>
 
-#include "common/bus/lcm_url.h"
-#include "common/files/printable.h"
 #include "common/process/bridge.h"
+#include "common/process/process_bus.h"
 #include "modules/xsens_bridge/device/probe.h"
 #include "modules/xsens_bridge/node/xsens_node.h"
 
 namespace scanway::xsens {
 namespace {
-
-constexpr auto kListenForTwins = std::chrono::milliseconds(1500);
 
 struct Options {
   TrackerAddress address;
@@ -36,19 +33,13 @@ int probe(const Options& options) {
 int run(const BridgeOptions& bridge, const Options& options) {
   const Robot::Tracker tracker = robot_of(bridge.robot).tracker;
   if (bridge.probe) return probe(options);
-  LcmBus lcm(lcm_url(bridge.lcm_url));
-  if (!lcm.advice().empty()) spdlog::warn("{}", lcm.advice());
-  LiveBus bus(lcm, this_process("xsens_bridge"));
+  ProcessBus process(bridge.lcm_url, this_process("xsens_bridge"));
+  LiveBus& bus = process.live();
   TrackerDevice device(options.address, options.tracker, accuracy_of(tracker));
   XsensNode node(bus, device, tracker);
-  bus.start();
-  bus.refuse_twins(kListenForTwins);
+  process.start();
   spdlog::info("ready: {}", device.port());
-  const auto turn = [&node](int wait_ms) {
-    for (const std::string& trouble : node.run(wait_ms)) spdlog::warn("{}", printable(trouble));
-    if (const std::string welcome = node.take_welcome(); !welcome.empty()) spdlog::info("{}", printable(welcome));
-  };
-  serve_device(bus, {turn, [&bus, &node] { bus.report(node.counters(), node.summary()); }});
+  serve_device(bus, node);
   spdlog::info("ended");
   return 0;
 }

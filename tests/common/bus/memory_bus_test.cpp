@@ -9,7 +9,7 @@
 namespace scanway {
 namespace {
 
-std::vector<std::uint8_t> bytes_of(const std::string& text) { return {text.begin(), text.end()}; }
+std::vector<std::uint8_t> payload(const std::string& text) { return {text.begin(), text.end()}; }
 
 std::string shown(const BusMessage& message) {
   return std::string(message.channel) + ":" + std::string(message.bytes.begin(), message.bytes.end()) + "@" +
@@ -22,10 +22,10 @@ TEST(MemoryBus, DeliversInTheOrderOfPublishing) {
   const auto keep = [&](const BusMessage& message) { got.push_back(shown(message)); };
   bus.subscribe("A", keep);
   bus.subscribe("B", keep);
-  bus.publish("B", bytes_of("1"), 10);
-  bus.publish("C", bytes_of("2"), 9);
-  bus.publish("A", bytes_of("3"), 8);
-  bus.publish("B", bytes_of(""), 7);
+  bus.publish("B", payload("1"), 10);
+  bus.publish("C", payload("2"), 9);
+  bus.publish("A", payload("3"), 8);
+  bus.publish("B", payload(""), 7);
   EXPECT_TRUE(got.empty());
   EXPECT_EQ(bus.dispatch(), 4U);
   EXPECT_EQ(got, (std::vector<std::string>{"B:1@10", "A:3@8", "B:@7"}));
@@ -40,7 +40,7 @@ TEST(MemoryBus, LetsHandlersPublishAndSubscribe) {
     if (message.utime < 3) bus.publish("A", message.bytes, message.utime + 1);
     if (message.utime == 1) bus.subscribe("A", [&](const BusMessage& late) { got.push_back("late " + shown(late)); });
   });
-  bus.publish("A", bytes_of("x"), 1);
+  bus.publish("A", payload("x"), 1);
   EXPECT_EQ(bus.dispatch(), 3U);
   EXPECT_EQ(got, (std::vector<std::string>{"A:x@1", "A:x@2", "late A:x@2", "A:x@3", "late A:x@3"}));
 }

@@ -11,7 +11,7 @@ namespace {
 
 const std::string kIdentity = " 1 0 0 0 0 1 0 0 0 0 1 0\n";
 
-std::string error_of(const std::string& text) {
+std::string poses_error_of(const std::string& text) {
   try {
     PosesFile::parse(text, "poses.txt");
   } catch (const InputError& error) {
@@ -50,19 +50,19 @@ TEST(PosesFile, MatchesScansByTheirStem) {
 }
 
 TEST(PosesFile, RefusesWhatIsNoPose) {
-  ASSERT_EQ(error_of("a" + kIdentity), "");
-  ASSERT_EQ(error_of("a 0.9995 0 0 0 0 1 0 0 0 0 1 0\n"), "");  // Printed with few digits.
-  EXPECT_NE(error_of("a 1 0 0 0 0 1 0 0 0 0 1\n").find("poses.txt:1: 11 numbers"), std::string::npos);
-  EXPECT_NE(error_of("# c\na 1 0 0 0 0 1 0 0 0 0 1 0 0\n").find("poses.txt:2: 13 numbers"), std::string::npos);
-  EXPECT_NE(error_of("a 1 0 0 nan 0 1 0 0 0 0 1 0\n").find("'nan' is not a finite"), std::string::npos);
-  EXPECT_NE(error_of("a 1 0 0 1e999 0 1 0 0 0 0 1 0\n").find("finite"), std::string::npos);
-  EXPECT_NE(error_of("a 1 0 0 1,5 0 1 0 0 0 0 1 0\n").find("'1,5'"), std::string::npos);
-  EXPECT_NE(error_of("a 1.01 0 0 0 0 1 0 0 0 0 1 0\n").find("no rotation"), std::string::npos);
-  EXPECT_NE(error_of("a -1 0 0 0 0 1 0 0 0 0 1 0\n").find("no rotation"), std::string::npos);  // A mirror.
-  EXPECT_NE(error_of("a 1 0 0 0 1 0 0 0 0 1 0 0\n").find("no rotation"), std::string::npos);
-  EXPECT_NE(error_of("a" + kIdentity + "b" + kIdentity + "a" + kIdentity).find(":3: the scan 'a' is there twice"),
+  ASSERT_EQ(poses_error_of("a" + kIdentity), "");
+  ASSERT_EQ(poses_error_of("a 0.9995 0 0 0 0 1 0 0 0 0 1 0\n"), "");  // Printed with few digits.
+  EXPECT_NE(poses_error_of("a 1 0 0 0 0 1 0 0 0 0 1\n").find("poses.txt:1: 11 numbers"), std::string::npos);
+  EXPECT_NE(poses_error_of("# c\na 1 0 0 0 0 1 0 0 0 0 1 0 0\n").find("poses.txt:2: 13 numbers"), std::string::npos);
+  EXPECT_NE(poses_error_of("a 1 0 0 nan 0 1 0 0 0 0 1 0\n").find("'nan' is not a finite"), std::string::npos);
+  EXPECT_NE(poses_error_of("a 1 0 0 1e999 0 1 0 0 0 0 1 0\n").find("finite"), std::string::npos);
+  EXPECT_NE(poses_error_of("a 1 0 0 1,5 0 1 0 0 0 0 1 0\n").find("'1,5'"), std::string::npos);
+  EXPECT_NE(poses_error_of("a 1.01 0 0 0 0 1 0 0 0 0 1 0\n").find("no rotation"), std::string::npos);
+  EXPECT_NE(poses_error_of("a -1 0 0 0 0 1 0 0 0 0 1 0\n").find("no rotation"), std::string::npos);  // A mirror.
+  EXPECT_NE(poses_error_of("a 1 0 0 0 1 0 0 0 0 1 0 0\n").find("no rotation"), std::string::npos);
+  EXPECT_NE(poses_error_of("a" + kIdentity + "b" + kIdentity + "a" + kIdentity).find(":3: the scan 'a' is there twice"),
             std::string::npos);
-  EXPECT_NE(error_of("\x1B[2J 1\n").find(":1: 1 numbers"), std::string::npos);
+  EXPECT_NE(poses_error_of("\x1B[2J 1\n").find(":1: 1 numbers"), std::string::npos);
 }
 
 TEST(PosesFile, ReadsThoseOfTheSharedSets) {

@@ -7,14 +7,14 @@ namespace {
 
 using Points = std::vector<Eigen::Vector3f>;
 
-std::string header(const std::string& form, const std::string& rest) {
+std::string vtk_header(const std::string& form, const std::string& rest) {
   return "# vtk DataFile Version 3.0\na title\n" + form + "\nDATASET POLYDATA\n" + rest;
 }
 
 TEST(ReadVtk, ReadsTextHoweverItIsBroken) {
-  EXPECT_EQ(read_bytes("a.vtk", header("ASCII", "POINTS 2 float\n1 2 3 4\n5\n\n 6 \nVERTICES 1 2\n1 0\n")).points,
+  EXPECT_EQ(read_bytes("a.vtk", vtk_header("ASCII", "POINTS 2 float\n1 2 3 4\n5\n\n 6 \nVERTICES 1 2\n1 0\n")).points,
             (Points{{1, 2, 3}, {4, 5, 6}}));
-  EXPECT_EQ(read_bytes("a.vtk", header("ASCII", "POINTS 1 double\n1 2 3")).size(), 1u);
+  EXPECT_EQ(read_bytes("a.vtk", vtk_header("ASCII", "POINTS 1 double\n1 2 3")).size(), 1u);
 }
 
 TEST(ReadVtk, ReadsBinary) {
@@ -24,27 +24,28 @@ TEST(ReadVtk, ReadsBinary) {
     doubles += big(static_cast<double>(value));
   }
   const Points expected = {{1, 2, 3}, {4, 5, 6}};
-  EXPECT_EQ(read_bytes("a.vtk", header("BINARY", "POINTS 2 float\n" + floats + "\nVERTICES 1 2\n")).points, expected);
-  EXPECT_EQ(read_bytes("a.vtk", header("BINARY", "POINTS 2 double\n" + doubles)).points, expected);
+  EXPECT_EQ(read_bytes("a.vtk", vtk_header("BINARY", "POINTS 2 float\n" + floats + "\nVERTICES 1 2\n")).points,
+            expected);
+  EXPECT_EQ(read_bytes("a.vtk", vtk_header("BINARY", "POINTS 2 double\n" + doubles)).points, expected);
   const std::string grid = "# vtk DataFile Version 4.2\nt\nBINARY\nDATASET UNSTRUCTURED_GRID\nPOINTS 2 double\n";
   EXPECT_EQ(read_bytes("a.vtk", grid + doubles).points, expected);
 }
 
 TEST(ReadVtk, SkipsFieldsBeforeThePoints) {
-  EXPECT_EQ(read_bytes("a.vtk", header("ASCII",
-                                       "FIELD FieldData 2\nTIME 1 1 double\n0.5\nN 2 2 int\n1 2\n3 4\nMETADATA\n"
-                                       "INFORMATION 0\n\nPOINTS 1 float\n1 2 3\n"))
+  EXPECT_EQ(read_bytes("a.vtk", vtk_header("ASCII",
+                                           "FIELD FieldData 2\nTIME 1 1 double\n0.5\nN 2 2 int\n1 2\n3 4\nMETADATA\n"
+                                           "INFORMATION 0\n\nPOINTS 1 float\n1 2 3\n"))
                 .size(),
             1u);
-  EXPECT_EQ(read_bytes("a.vtk", header("BINARY", "FIELD FieldData 1\nTIME 1 1 double\n" + big(0.5) +
-                                                     "\nPOINTS 1 float\n" + big(1.0f) + big(2.0f) + big(3.0f)))
+  EXPECT_EQ(read_bytes("a.vtk", vtk_header("BINARY", "FIELD FieldData 1\nTIME 1 1 double\n" + big(0.5) +
+                                                         "\nPOINTS 1 float\n" + big(1.0f) + big(2.0f) + big(3.0f)))
                 .size(),
             1u);
 }
 
 TEST(ReadVtk, RefusesDamage) {
   const auto error = [](const std::string& rest, const std::string& form = "ASCII") {
-    return error_of("a.vtk", header(form, rest));
+    return error_of("a.vtk", vtk_header(form, rest));
   };
   ASSERT_EQ(error("POINTS 1 float\n1 2 3\n"), "");
   EXPECT_NE(error("POINTS 1 float\n1 2 3\n", "XML").find(":3: 'XML'"), std::string::npos);

@@ -11,7 +11,7 @@ namespace scanway {
 namespace {
 
 constexpr Utime kInterval = 10'000;  // 100 Hz
-constexpr Utime kStart = 1'700'000'000 * kMicrosecondsPerSecond;
+constexpr Utime kFirst = 1'700'000'000 * kMicrosecondsPerSecond;
 
 TEST(Spacing, CountsWhatALinkLosesOfAnEvenStream) {
   for (const double loss : {0.0, 0.01, 0.05, 0.1}) {
@@ -25,7 +25,7 @@ TEST(Spacing, CountsWhatALinkLosesOfAnEvenStream) {
       lost += lost_since;  // The next one shows it.
       lost_since = 0;
       const auto jitter = static_cast<Utime>(random.below(kInterval / 5)) - kInterval / 10;
-      spacing.add(kStart + i * kInterval + jitter);
+      spacing.add(kFirst + i * kInterval + jitter);
     }
     EXPECT_EQ(spacing.missing(), lost) << loss;
   }
@@ -34,7 +34,7 @@ TEST(Spacing, CountsWhatALinkLosesOfAnEvenStream) {
 TEST(Spacing, SaysNothingOfAnUnevenStream) {
   Random random(4);
   Spacing spacing;
-  Utime utime = kStart;
+  Utime utime = kFirst;
   for (int i = 0; i < 1000; ++i) spacing.add(utime += 1 + static_cast<Utime>(random.below(5'000'000)));
   EXPECT_EQ(spacing.missing(), 0);
 }
@@ -42,11 +42,11 @@ TEST(Spacing, SaysNothingOfAnUnevenStream) {
 TEST(Spacing, SaysNothingOfRepeatsDisorderPausesAndAbsurdTimes) {
   Spacing spacing;
   for (int i = 0; i < 100; ++i) {
-    spacing.add(kStart + i * kInterval);
-    spacing.add(kStart + i * kInterval);
-    spacing.add(kStart + (i - 5) * kInterval);
+    spacing.add(kFirst + i * kInterval);
+    spacing.add(kFirst + i * kInterval);
+    spacing.add(kFirst + (i - 5) * kInterval);
   }
-  spacing.add(kStart + 3600 * kMicrosecondsPerSecond);  // Switched off and on.
+  spacing.add(kFirst + 3600 * kMicrosecondsPerSecond);  // Switched off and on.
   EXPECT_EQ(spacing.missing(), 0);
   spacing.add(std::numeric_limits<Utime>::max());
   spacing.add(std::numeric_limits<Utime>::min());

@@ -23,7 +23,7 @@ namespace scanway::tools {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
-using Kind = Sighting::Kind;
+
 constexpr SteadyTime kSecond = 1'000'000;
 
 Bytes imu(std::int64_t utime) {
@@ -113,11 +113,11 @@ TEST(Gaps, AreNotGuessed) {
 }
 
 TEST(Traffic, PutsObjectsTogether) {
-  std::vector<Kind> kinds;
+  std::vector<Sighting::Kind> kinds;
   Bytes object;
   Traffic traffic(5 * kSecond, [&](const Sighting& sighting) {
     kinds.push_back(sighting.kind);
-    if (sighting.kind != Kind::object) return;
+    if (sighting.kind != Sighting::Kind::object) return;
     EXPECT_EQ(sighting.channel, "PATH");
     EXPECT_EQ(sighting.piece->key, "footprint");
     object.assign(sighting.bytes.begin(), sighting.bytes.end());
@@ -129,8 +129,8 @@ TEST(Traffic, PutsObjectsTogether) {
   EXPECT_NE(traffic_table(traffic, 0).find("0 objects, 1 incomplete (1 pieces missing)"), std::string::npos);
   traffic.take({"PATH", encode(pieces[0])}, 0);
   EXPECT_EQ(object, whole);
-  std::vector<Kind> expected(pieces.size(), Kind::piece);
-  expected.push_back(Kind::object);
+  std::vector<Sighting::Kind> expected(pieces.size(), Sighting::Kind::piece);
+  expected.push_back(Sighting::Kind::object);
   EXPECT_EQ(kinds, expected);
   EXPECT_EQ(traffic.channels().at("PATH").type, "scanway.path_t");
   EXPECT_EQ(traffic.channels().at("PATH").objects, 1U);
@@ -158,7 +158,8 @@ TEST(Traffic, NamesWhatIsBad) {
 
 TEST(Traffic, KnowsChannelsThatAreNotOurs) {
   std::size_t foreign = 0;
-  Traffic traffic(5 * kSecond, [&](const Sighting& sighting) { foreign += sighting.kind == Kind::foreign ? 1 : 0; });
+  Traffic traffic(5 * kSecond,
+                  [&](const Sighting& sighting) { foreign += sighting.kind == Sighting::Kind::foreign ? 1 : 0; });
   traffic.take({"CAMERA\n", Bytes(16, 0xAB)}, 0);
   traffic.take({"SECOND_TRACKER", imu(1)}, 0);  // A type of ours on a channel of theirs.
   EXPECT_EQ(foreign, 1U);
@@ -170,9 +171,9 @@ TEST(Traffic, KnowsChannelsThatAreNotOurs) {
 TEST(Traffic, OutlivesLies) {
   std::uint64_t told = 0, bad = 0, shown = 0;
   Traffic traffic(5 * kSecond, [&](const Sighting& sighting) {
-    bad += sighting.kind == Kind::bad ? 1 : 0;
-    EXPECT_EQ(sighting.kind == Kind::bad, !sighting.reason.empty());
-    if (sighting.kind != Kind::message && sighting.kind != Kind::object) return;
+    bad += sighting.kind == Sighting::Kind::bad ? 1 : 0;
+    EXPECT_EQ(sighting.kind == Sighting::Kind::bad, !sighting.reason.empty());
+    if (sighting.kind != Sighting::Kind::message && sighting.kind != Sighting::Kind::object) return;
     ++shown;
     EXPECT_FALSE(message_text(message_json(*sighting.layout, sighting.bytes, 3)).empty());
   });

@@ -1,4 +1,4 @@
-#include "common/cloud/text_lines.h"
+#include "common/files/text_lines.h"
 
 #include <charconv>
 #include <limits>
