@@ -106,6 +106,11 @@ MapChange Map::merge(const Sweep& sweep, const Pose& X_map_sweep, StageListener*
   return change;
 }
 
+void Map::succeed(const Map& before, MapChange& change) {
+  change.changed_tiles = differing_tiles(before.cost_map_, cost_map_);
+  change.version = version_ = before.version_ + 1;
+}
+
 GroundReport Map::project(const MapPoints& points, const Sweep& sweep, const Pose& X_map_sweep, StageListener* stages) {
   begin_stage(stages, "ground");
   if (robot_.mapping.paper_projection) return project_by_paper(points, stages);

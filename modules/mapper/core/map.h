@@ -44,6 +44,10 @@ class Map {
   /// Adds a sweep to every product.
   MapChange merge(const Sweep& sweep, const Pose& X_map_sweep, StageListener* stages = nullptr);
 
+  /// Takes the place of `before`, of which it is another making: `change` becomes all that differs between the two, and
+  /// closes the next version.
+  void succeed(const Map& before, MapChange& change);
+
   const VoxelCloud& cloud() const { return cloud_; }
   const OccupancyTree& occupancy_tree() const { return tree_; }
   const CostMap& cost_map() const { return cost_map_; }

@@ -1,43 +1,84 @@
 #include "modules/mapper/core/mapper.h"
 
-#include <cmath>
+#include <algorithm>
+#include <utility>
 
 namespace scanway {
 namespace {
 
-constexpr std::size_t kMaxTargets = 3;    // the last accepted sweep and two before it
 constexpr std::size_t kMinPoints = 1000;  // fewer show no place that could be found again
+// Products follow when a sweep moved by a cell of the cost map, or by as much at 10 m.
+constexpr double kMovedShift = 0.01, kMovedTurn = 0.001;
 
 std::size_t usable_points(const Sweep& sweep, const Robot& robot) {
   return points_in_map(sweep, Pose::Identity(), robot.laser.min_range_m, robot.laser.max_range_m).points.size();
 }
 
+/// The link that is most probably right, of those that the graph kept.
+const Link& best_of(const std::vector<Link>& links, const GraphSolution& solution) {
+  const std::size_t before = solution.dropped.size() - links.size();
+  const Link* best = nullptr;
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    if (solution.dropped[before + i]) continue;
+    if (best == nullptr || links[i].registration.probability > best->registration.probability) best = &links[i];
+  }
+  return *best;
+}
+
+/// How many sweeps say so, and which registrations contradict that.
+std::string said_of(const std::vector<Link>& links, const SweepGraph& graph) {
+  const GraphSolution& solution = graph.solution();
+  const std::size_t before = solution.dropped.size() - links.size();
+  std::string kept, contradicting;
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    std::string& names = solution.dropped[before + i] ? contradicting : kept;
+    if (!names.empty()) names += ", ";
+    names += graph.sweeps()[links[i].target].name;
+  }
+  std::string said;
+  if (links.size() > 1) said += " It is where it was registered to: " + kept + ".";
+  if (!contradicting.empty()) said += " Dropped, for they contradict that: " + contradicting + ".";
+  return said;
+}
+
 }  // namespace
 
 Mapper::Mapper(const Robot& robot, std::uint64_t seed)
-    : robot_(robot), registration_{robot.laser.min_range_m, robot.laser.max_range_m, seed}, map_(robot, seed) {}
+    : robot_(robot),
+      seed_(seed),
+      registration_{robot.laser.min_range_m, robot.laser.max_range_m, seed},
+      locator_(robot, registration_),
+      map_(std::make_unique<Map>(robot, seed)),
+      graph_(robot) {}
 
 SweepResult Mapper::add(const Sweep& sweep, StageListener* stages) {
-  begin_stage(stages, "prepare");
-  const PreparedScan scan = PreparedScan::make(sweep.cloud, sweep.origin, registration_, stages);
-
-  SweepResult result = targets_.empty() ? place_first(sweep, scan) : place(sweep, scan, stages);
+  SweepResult result = place(sweep, stages);
   result.name = sweep.name;
   result.utime = sweep.utime;
-  result.change.version = map_.version();
-
+  result.change.version = map_->version();
   if (result.verdict == Verdict::accepted) {
-    result.change = map_.merge(sweep, result.X_map_sweep, stages);
+    result.correction = correction();
+    sweeps_.keep(sweep);
     trajectory_.push_back({sweep.utime, result.X_map_sweep});
-    targets_.insert(targets_.begin(), {sweep.name, scan, sweep.R_world_sweep, result.X_map_sweep});
-    if (targets_.size() > kMaxTargets) targets_.pop_back();
+    result.change = result.correction.remade > 0 ? remake(stages) : map_->merge(sweep, result.X_map_sweep, stages);
   }
   begin_stage(stages, "");
   results_.push_back(result);
   return result;
 }
 
-SweepResult Mapper::place_first(const Sweep& sweep, const PreparedScan&) const {
+SweepResult Mapper::place(const Sweep& sweep, StageListener* stages) {
+  begin_stage(stages, "prepare");
+  PlacedSweep placed;
+  placed.name = sweep.name;
+  placed.scan = PreparedScan::make(sweep.cloud, sweep.origin, registration_, stages);
+  placed.origin = sweep.origin;
+  placed.R_world_sweep = sweep.R_world_sweep;
+  placed.session = session_;
+  return trajectory_.empty() ? place_first(sweep, std::move(placed)) : place_among(std::move(placed), stages);
+}
+
+SweepResult Mapper::place_first(const Sweep& sweep, PlacedSweep placed) {
   SweepResult result;
   const std::size_t points = usable_points(sweep, robot_);
   if (points < kMinPoints) {
@@ -47,36 +88,59 @@ SweepResult Mapper::place_first(const Sweep& sweep, const PreparedScan&) const {
   result.verdict = result.registration.verdict = Verdict::accepted;
   result.reason = result.registration.reason = "first sweep: the map begins here";
   result.registration.probability = 1.0;
-  result.X_map_sweep = map_.first_pose(sweep);
+  result.X_map_sweep = placed.X_map_sweep = map_->first_pose(sweep);
+  graph_.begin(std::move(placed));
   return result;
 }
 
-SweepResult Mapper::place(const Sweep& sweep, const PreparedScan& scan, StageListener* stages) const {
+SweepResult Mapper::place_among(PlacedSweep placed, StageListener* stages) {
   SweepResult result;
-  for (const AcceptedSweep& target : targets_) {
-    RegistrationResult registration = register_scans(scan, target.scan, prior(sweep, target), registration_, stages);
-    const bool accepted = registration.verdict == Verdict::accepted;
-    // The refusal that is reported is the one against the newest target.
-    if (!accepted && !result.target.empty()) continue;
-    result.verdict = registration.verdict;
-    result.reason = registration.reason;
-    result.target = target.name;
-    result.registration = std::move(registration);
-    // Rigid transforms compose as matrices: X_ms = X_mt T_ts, so R_ms = R_mt R_ts and t_ms = R_mt t_ts + t_mt. The
-    // paper writes R_ref = R R_ICP, T_ref = T + T_ICP: the same where T_ICP is stated in the axes that R leads to
-    // (T_ICP = R t_ICP) while R_ICP turns about the axes of the source.
-    result.X_map_sweep = target.X_map_sweep * result.registration.T_target_source;
-    if (accepted) break;
+  const Location location = locator_.locate(placed, graph_.sweeps(), stages);
+  if (location.links.empty()) {
+    result.target = graph_.sweeps()[*location.refused_by].name;
+    result.registration = *location.refusal;
+    result.reason = result.registration.reason;
+    return result;
   }
+  begin_stage(stages, "graph");
+  const bool agrees = graph_.add(std::move(placed), location.links);
+  const Link& link = agrees ? best_of(location.links, graph_.solution()) : location.links.front();
+  result.target = graph_.sweeps()[link.target].name;
+  result.registration = link.registration;
+  if (!agrees) {
+    result.reason = "Its registrations contradict the map.";
+    return result;
+  }
+  result.verdict = Verdict::accepted;
+  result.reason = link.registration.reason + said_of(location.links, graph_);
+  result.X_map_sweep = graph_.sweeps().back().X_map_sweep;
   return result;
 }
 
-std::optional<OrientationPrior> Mapper::prior(const Sweep& source, const AcceptedSweep& target) const {
-  if (!source.R_world_sweep || !target.R_world_sweep) return std::nullopt;
-  // Each of the two readings has the tracker's error, so their difference has sqrt(2) of it.
-  return OrientationPrior{
-      (target.R_world_sweep->normalized().conjugate() * source.R_world_sweep->normalized()).toRotationMatrix(),
-      std::sqrt(2.0) * robot_.tracker.heading_sigma, std::sqrt(2.0) * robot_.tracker.tilt_sigma};
+/// Of the sweeps that the products hold.
+MapCorrection Mapper::correction() const {
+  MapCorrection correction;
+  for (std::size_t i = 0; i < trajectory_.size(); ++i) {
+    const PlacedSweep& sweep = graph_.sweeps()[i];
+    const Pose& held = trajectory_[i].X_map_sweep;
+    correction.shift_m = std::max(correction.shift_m, (sweep.X_map_sweep * sweep.origin - held * sweep.origin).norm());
+    correction.turn = std::max(correction.turn, rotation_angle(held.linear().transpose() * sweep.X_map_sweep.linear()));
+  }
+  const bool moved = correction.shift_m > kMovedShift || correction.turn > kMovedTurn;
+  correction.remade = moved ? trajectory_.size() : 0;
+  return correction;
+}
+
+MapChange Mapper::remake(StageListener* stages) {
+  auto remade = std::make_unique<Map>(robot_, seed_);
+  MapChange change;
+  for (std::size_t i = 0; i < trajectory_.size(); ++i) {
+    trajectory_[i].X_map_sweep = graph_.sweeps()[i].X_map_sweep;
+    change = remade->merge(sweeps_.fetch(i), trajectory_[i].X_map_sweep, stages);
+  }
+  remade->succeed(*map_, change);
+  map_ = std::move(remade);
+  return change;
 }
 
 }  // namespace scanway

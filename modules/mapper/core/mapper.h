@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -9,8 +10,11 @@
 #include "common/progress/stages.h"
 #include "common/robot/robot.h"
 #include "common/time/utime.h"
+#include "modules/mapper/core/locate.h"
 #include "modules/mapper/core/map.h"
 #include "modules/mapper/core/registration/registration.h"
+#include "modules/mapper/core/sweep_archive.h"
+#include "modules/mapper/core/sweep_graph.h"
 
 namespace scanway {
 
@@ -18,6 +22,13 @@ namespace scanway {
 struct TrajectoryPoint {
   Utime utime = 0;
   Pose X_map_sweep = Pose::Identity();
+};
+
+/// That a new sweep moved the earlier ones so far that the map was made again.
+struct MapCorrection {
+  std::size_t remade = 0;  ///< Sweeps that the map was made of again; 0: none had to move.
+  double shift_m = 0.0;    ///< Of the sweep that moved most.
+  double turn = 0.0;       ///< Radians, of the sweep that turned most.
 };
 
 /// What became of one sweep.
@@ -30,6 +41,7 @@ struct SweepResult {
   RegistrationResult registration;      ///< Against `target`; of the first sweep: the identity, with probability 1.
   Pose X_map_sweep = Pose::Identity();  ///< Of an accepted sweep.
   MapChange change;                     ///< Of an accepted sweep; else the version that stayed.
+  MapCorrection correction;             ///< Of the sweeps before it.
 };
 
 /// The mapper: sweeps in, in the order of their time, a map out. A refused sweep changes no product.
@@ -37,32 +49,38 @@ class Mapper {
  public:
   explicit Mapper(const Robot& robot, std::uint64_t seed = 1);
 
-  /// The whole method: prepare, register against the last accepted sweep (or, refused there, one of the two before it),
-  /// and merge into every product. Stages: prepare, coarse, fine, merge, octomap, ground, cost_map, embodiment.
+  /// The whole method: prepare, register against the sweeps that overlap it, settle the poses of all, and merge into
+  /// every product; where earlier sweeps moved by more than a centimetre or a milliradian, the products are made again
+  /// of all sweeps. Stages: prepare, coarse, fine, overlap, graph, merge, octomap, ground, cost_map, embodiment.
   SweepResult add(const Sweep& sweep, StageListener* stages = nullptr);
 
-  const Map& map() const { return map_; }
+  /// What comes from now on was taken after the robot was moved or its tracker started again: its first sweep is
+  /// searched in the whole map.
+  void begin_session() { ++session_; }
+
+  const Map& map() const { return *map_; }
+  const SweepGraph& graph() const { return graph_; }
+  /// The poses at which the products hold the sweeps.
   const std::vector<TrajectoryPoint>& trajectory() const { return trajectory_; }
   const std::vector<SweepResult>& results() const { return results_; }  ///< One a sweep, accepted or not.
 
  private:
-  struct AcceptedSweep {
-    std::string name;
-    PreparedScan scan;
-    std::optional<Eigen::Quaterniond> R_world_sweep;
-    Pose X_map_sweep;
-  };
-
-  SweepResult place_first(const Sweep& sweep, const PreparedScan& scan) const;
-  SweepResult place(const Sweep& sweep, const PreparedScan& scan, StageListener* stages) const;
-  std::optional<OrientationPrior> prior(const Sweep& source, const AcceptedSweep& target) const;
+  SweepResult place(const Sweep& sweep, StageListener* stages);
+  SweepResult place_first(const Sweep& sweep, PlacedSweep placed);
+  SweepResult place_among(PlacedSweep placed, StageListener* stages);
+  MapCorrection correction() const;
+  MapChange remake(StageListener* stages);
 
   Robot robot_;
+  std::uint64_t seed_;
   RegistrationConfig registration_;
-  Map map_;
-  std::vector<AcceptedSweep> targets_;  ///< The last accepted sweeps, newest first.
+  Locator locator_;
+  std::unique_ptr<Map> map_;
+  SweepGraph graph_;
+  SweepArchive sweeps_;  ///< As the map holds them, one a point of the trajectory.
   std::vector<TrajectoryPoint> trajectory_;
   std::vector<SweepResult> results_;
+  int session_ = 0;
 };
 
 }  // namespace scanway

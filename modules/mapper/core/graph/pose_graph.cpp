@@ -12,11 +12,11 @@
 namespace scanway {
 namespace {
 
-constexpr double kRightEdge = 22.46;        // chi-squared of 6 degrees of freedom: one right edge in a thousand is beyond
-constexpr double kLeastCertainty = 0.5;     // probabilities are taken to lie between
+constexpr double kRightEdge = 22.46;     // chi-squared of 6 degrees of freedom: one right edge in a thousand is beyond
+constexpr double kLeastCertainty = 0.5;  // probabilities are taken to lie between
 constexpr double kMostCertainty = 0.9999;
 constexpr int kRobustSteps = 12, kLastSteps = 8;
-constexpr double kStill = 1e-8;             // metres and radians
+constexpr double kStill = 1e-8;  // metres and radians
 constexpr std::size_t kMostExchanges = 200;
 
 Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& w) {

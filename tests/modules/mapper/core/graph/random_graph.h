@@ -50,8 +50,8 @@ inline KnownGraph circle(std::size_t count, std::size_t links, std::uint64_t see
     X.linear() = rotation_about_z(angle) * exp_so3(noise(random, 0.02, 0.0).head<3>());
     X.translation() << radius * repeatable::sin(angle), radius * (1.0 - repeatable::cos(angle)), 0.3 * random.normal();
     known.truth.push_back(X);
-    PoseGraph::Node node{X, X.linear().transpose() * (exp_so3(noise(random, tilt, 0.0).head<3>()) *
-                                                       Eigen::Vector3d::UnitZ())};
+    PoseGraph::Node node{
+        X, X.linear().transpose() * (exp_so3(noise(random, tilt, 0.0).head<3>()) * Eigen::Vector3d::UnitZ())};
     node.X_map_sensor = i == 0 ? X : Pose::Identity();
     known.graph.nodes.push_back(node);
   }

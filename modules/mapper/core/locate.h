@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "common/cloud/sweep.h"
+#include "common/geometry/pose.h"
+#include "common/progress/stages.h"
+#include "common/robot/robot.h"
+#include "modules/mapper/core/registration/registration.h"
+
+namespace scanway {
+
+/// A sweep of the map.
+struct PlacedSweep {
+  std::string name;
+  PreparedScan scan;
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< The sensor's centre in the sweep's frame.
+  std::optional<Eigen::Quaterniond> R_world_sweep;
+  int session = 0;  ///< Trackers of two sessions share no heading.
+  Pose X_map_sweep = Pose::Identity();
+};
+
+/// A sweep registered to one of the map's.
+struct Link {
+  std::size_t target = 0;
+  RegistrationResult registration;
+};
+
+struct Location {
+  std::vector<Link> links;                ///< Those that were accepted, as they were found.
+  std::optional<std::size_t> refused_by;  ///< Of a sweep without links: the target that `refusal` is about.
+  std::optional<RegistrationResult> refusal;
+};
+
+/// Where a sweep belongs among those of the map: registered to the newest sweep that takes it, then to those that, by
+/// the pose that this gives, see most of what it sees. Each registration is a search of its own, so that they can
+/// contradict each other.
+class Locator {
+ public:
+  Locator(const Robot& robot, const RegistrationConfig& config) : tracker_(robot.tracker), config_(config) {}
+
+  /// `map` must not be empty.
+  Location locate(const PlacedSweep& sweep, const std::vector<PlacedSweep>& map, StageListener* stages) const;
+
+ private:
+  RegistrationResult link(const PlacedSweep& sweep, const PlacedSweep& target, StageListener* stages) const;
+  std::optional<OrientationPrior> prior(const PlacedSweep& sweep, const PlacedSweep& target) const;
+
+  Robot::Tracker tracker_;
+  RegistrationConfig config_;
+};
+
+}  // namespace scanway

@@ -1,0 +1,61 @@
+#include "modules/mapper/core/sweep_graph.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace scanway {
+namespace {
+
+/// What a registration's covariance, which knows the residuals alone, leaves out: the laser's own bias, the scene's
+/// difference between two stands.
+constexpr double kLeastTurn = 0.0005, kLeastShift = 0.004;  // radians, metres
+
+Matrix6 covariance_of(const RegistrationResult& registration) {
+  Matrix6 covariance = registration.covariance;
+  covariance.diagonal().head<3>().array() += kLeastTurn * kLeastTurn;
+  covariance.diagonal().tail<3>().array() += kLeastShift * kLeastShift;
+  return covariance;
+}
+
+}  // namespace
+
+PoseGraph::Node SweepGraph::node_of(const PlacedSweep& sweep) const {
+  PoseGraph::Node node;
+  node.X_map_sensor = sweep.X_map_sweep * Eigen::Translation3d(sweep.origin);
+  if (sweep.R_world_sweep) {
+    node.up = sweep.R_world_sweep->normalized().toRotationMatrix().transpose() * Eigen::Vector3d::UnitZ();
+  }
+  return node;
+}
+
+GraphEdge SweepGraph::edge_of(const PlacedSweep& sweep, std::size_t node, const Link& link) const {
+  const PlacedSweep& target = sweeps_[link.target];
+  const Pose T =
+      Eigen::Translation3d(-target.origin) * link.registration.T_target_source * Eigen::Translation3d(sweep.origin);
+  return {link.target, node, T, covariance_of(link.registration), link.registration.probability};
+}
+
+void SweepGraph::begin(PlacedSweep sweep) {
+  graph_.nodes = {node_of(sweep)};
+  sweeps_ = {std::move(sweep)};
+}
+
+bool SweepGraph::add(PlacedSweep sweep, const std::vector<Link>& links) {
+  PoseGraph graph = graph_;
+  const std::size_t node = sweeps_.size();
+  graph.nodes.push_back(node_of(sweep));
+  for (const Link& link : links) graph.edges.push_back(edge_of(sweep, node, link));
+  GraphSolution solution = solve(graph);
+  const auto ours = solution.dropped.end() - static_cast<std::ptrdiff_t>(links.size());
+  if (std::all_of(ours, solution.dropped.end(), [](bool dropped) { return dropped; })) return false;
+
+  graph_ = std::move(graph);
+  solution_ = std::move(solution);
+  sweeps_.push_back(std::move(sweep));
+  for (std::size_t i = 0; i < sweeps_.size(); ++i) {
+    sweeps_[i].X_map_sweep = solution_.poses[i] * Eigen::Translation3d(-sweeps_[i].origin);
+  }
+  return true;
+}
+
+}  // namespace scanway
