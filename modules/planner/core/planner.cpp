@@ -5,8 +5,12 @@
 
 #include <fmt/format.h>
 
-#include "modules/planner/core/path.h"
-#include "modules/planner/core/search/obstruction.h"
+#include "modules/planner/core/explain/obstruction.h"
+#include "modules/planner/core/path/drive.h"
+#include "modules/planner/core/path/map_scale.h"
+#include "modules/planner/core/path/measure.h"
+#include "modules/planner/core/path/poses.h"
+#include "modules/planner/core/path/straighten.h"
 
 namespace scanway::planning {
 namespace {
@@ -57,7 +61,8 @@ const char* words_of(PlanStatus status) {
 
 }  // namespace
 
-Planner::Planner(const Robot& robot, BodyMode mode) : robot_(robot) {
+Planner::Planner(const Robot& robot, BodyMode mode, std::optional<PathForm> form)
+    : robot_(robot), form_(form.value_or(mode == BodyMode::footprint ? PathForm::smooth : PathForm::cells)) {
   options_.mode = mode;
   options_.unknown = robot.planning.unknown;
   options_.unknown_price = robot.planning.unknown_price;
@@ -128,12 +133,35 @@ void Planner::explain(PlanResult& result, Cell start, Cell goal) const {
                               why.width_cells * resolution_m_);
 }
 
+void Planner::trace(const Route& route, PlanResult& result) {
+  const MapScale scale = {resolution_m_, origin_m_};
+  const Ground ground(*terrain_);
+  std::vector<Leg> legs = legs_of(route, ground);
+  if (form_ == PathForm::smooth) legs = straightened(std::move(legs), ground);
+  const double rounding = form_ == PathForm::smooth ? widest_bend(robot_.body) / resolution_m_ : 0.0;
+  std::vector<PathPose> path;
+  for (const CellPose& pose : poses_of(legs, ground, rounding)) {
+    const Eigen::Vector2d at = scale.to_metres(pose.at);
+    path.push_back({at.x(), at.y(), pose.heading});
+  }
+  if (path.empty()) {
+    const Eigen::Vector2d at = scale.middle_of(route.places.front().cell);
+    path.push_back({at.x(), at.y(), angle_of(route.places.front().heading.value_or(0))});
+  }
+  result.path = driven(path, robot_.body);
+  const PathMeasures measures = measures_of(result.path, ground, scale);
+  result.length_m = measures.length_m;
+  result.worst_cost = measures.worst_cost;
+  result.clearance_m = measures.clearance_m;
+  result.clearance_at_m = measures.clearance_at_m;
+  result.unknown_share = measures.unknown_share;
+}
+
 PlanResult Planner::plan(const Eigen::Vector2d& start_m, const Eigen::Vector2d& goal_m) {
   PlanResult result;
   result.unknown = options_.unknown;
   result.reason = words_of(result.status);
   if (!terrain_) return result;
-  const MapScale scale = {resolution_m_, origin_m_};
   const std::optional<Cell> start = cell_at(start_m);
   const std::optional<Cell> goal = cell_at(goal_m);
   result.status = check(start, goal);
@@ -142,8 +170,7 @@ PlanResult Planner::plan(const Eigen::Vector2d& start_m, const Eigen::Vector2d& 
     result.effort = finder_->take_effort();
     if (route) {
       result.cost = route->cost_cells * resolution_m_;
-      result.path = poses_of(*route, scale);
-      measure(result, *terrain_, scale);
+      trace(*route, result);
     } else {
       explain(result, *start, *goal);
     }

@@ -12,18 +12,15 @@
 #include "common/grid/cost_map.h"
 #include "common/robot/robot.h"
 #include "modules/planner/core/body/terrain.h"
+#include "modules/planner/core/path/path_pose.h"
 #include "modules/planner/core/search/route_finder.h"
 
 namespace scanway::planning {
 
-/// A pose of the robot on a path, in `map`.
-struct PathPose {
-  double x_m = 0.0;
-  double y_m = 0.0;
-  double heading = 0.0;    ///< Radians, counter-clockwise from x.
-  double time_s = 0.0;     ///< After the start.
-  double speed_m_s = 0.0;  ///< Negative: backwards. From pose to pose it changes evenly.
-  bool operator==(const PathPose&) const = default;
+/// How a path is told.
+enum class PathForm {
+  cells,   ///< From cell to cell, as the search found it.
+  smooth,  ///< Straightened and its corners rounded; never dearer, and as clear as the body needs.
 };
 
 enum class PlanStatus {
@@ -47,7 +44,8 @@ struct PlanResult {
   PlanStatus status = PlanStatus::no_map;
   /// "ok", or the reason in words, with the place where there is one.
   std::string reason;
-  /// In driving order. Two poses in the same place are a turn in place; a step against its heading is driven backwards.
+  /// In driving order. Two poses in the same place are a turn in place, the shorter way round; from place to place the
+  /// robot drives straight, or turning evenly in a bend. Against its heading it drives backwards.
   std::vector<PathPose> path;
   UnknownPolicy unknown = UnknownPolicy::never;  ///< What the plan may do with unknown cells.
   double length_m = 0.0;
@@ -66,7 +64,8 @@ struct PlanResult {
 /// plans found is used for the next one and changes nothing in its cost.
 class Planner {
  public:
-  Planner(const Robot& robot, BodyMode mode);
+  /// Without a `form`: smooth for the footprint, and cells for the paper's two paths, which are what it compares.
+  Planner(const Robot& robot, BodyMode mode, std::optional<PathForm> form = std::nullopt);
 
   /// The map from now on, in place of any earlier one. `bounds` is where the robot's centre may be; without it, all
   /// tiles of the map. The map is copied in a form of its own. Throws std::length_error for more than 3 * 2^30 cells.
@@ -82,9 +81,11 @@ class Planner {
   PlanStatus check(std::optional<Cell> start, std::optional<Cell> goal);
   bool has_room(Cell cell);
   void explain(PlanResult& result, Cell start, Cell goal) const;
+  void trace(const Route& route, PlanResult& result);
 
   Robot robot_;
   TerrainOptions options_;
+  PathForm form_;
   std::optional<CellRectangle> given_bounds_;
   double resolution_m_ = 0.0;
   Eigen::Vector2d origin_m_ = Eigen::Vector2d::Zero();

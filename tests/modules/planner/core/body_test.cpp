@@ -7,13 +7,13 @@
 #include "common/grid/map_file.h"
 #include "modules/planner/core/planner.h"
 #include "tests/modules/planner/support/maps.h"
+#include "tests/modules/planner/support/polygon_check.h"
 #include "tests/modules/planner/support/reference.h"
 
 namespace scanway::test {
 namespace {
 
 using planning::BodyMode;
-using planning::PathPose;
 using planning::Planner;
 using planning::PlanResult;
 using planning::PlanStatus;
@@ -29,45 +29,29 @@ const Robot kBox = box(0.6, 0.6, 0.25);
 /// Its centre is over the rear axle.
 const Robot kCar = box(3.6, 0.9, 0.9);
 
-/// Every pose, and what is between two of them, by separating axes; two poses in one place are a turn the short way.
-void expect_clear(const TestMap& map, const Robot& robot, const PlanResult& plan) {
-  for (std::size_t i = 0; i < plan.path.size(); ++i) {
-    const PathPose& to = plan.path[i];
-    const PathPose& from = plan.path[i == 0 ? 0 : i - 1];
-    const bool roomy_turn = from.x_m == to.x_m && from.y_m == to.y_m;
-    const double turn = std::remainder(to.heading - from.heading, 2.0 * std::numbers::pi);
-    ASSERT_TRUE(roomy_turn || turn == 0.0) << "turns while it moves at pose " << i;
-    for (int part = 0; part <= 4; ++part) {
-      const double t = part / 4.0;
-      ASSERT_FALSE(body_hits(map, robot, from.x_m + t * (to.x_m - from.x_m), from.y_m + t * (to.y_m - from.y_m),
-                             from.heading + t * turn))
-          << "pose " << i << " at " << to.x_m << ", " << to.y_m << ", " << to.heading;
-    }
-  }
-}
-
 /// Plans between random places; returns how many paths there were.
 int expect_all_clear(const TestMap& map, const Robot& robot, int problems, Random& random) {
   Planner planner(robot, BodyMode::footprint);
   planner.set_map(map.map, map.bounds);
+  const PolygonCheck check(map, robot);
   int paths = 0;
   for (int i = 0; i < problems; ++i) {
     const PlanResult plan = planner.plan(middle_of(map.map, random_cell(map.bounds, random)),
                                          middle_of(map.map, random_cell(map.bounds, random)));
     if (plan.status != PlanStatus::ok) continue;
     ++paths;
-    expect_clear(map, robot, plan);
+    EXPECT_EQ(check.first_hit(plan.path), "");
   }
   return paths;
 }
 
 /// A cell where the body has room at heading 0; after a while, any cell.
 Cell place_for(const TestMap& map, const Robot& robot, Random& random) {
+  const PolygonCheck check(map, robot);
   Cell cell;
   for (int i = 0; i < 100; ++i) {
     cell = random_cell(map.bounds, random);
-    const Eigen::Vector2d at = middle_of(map.map, cell);
-    if (!body_hits(map, robot, at.x(), at.y(), 0.0)) break;
+    if (!check.hits({cell.x, cell.y}, 0.0)) break;
   }
   return cell;
 }
@@ -161,7 +145,7 @@ TEST(Doorway, EraMobiPassesHalfAMetreAtEveryAngle) {
     const TestMap map = wall_with_gap(0.5, angle);
     const PlanResult plan = through(map, angle);
     EXPECT_EQ(plan.reason, "ok") << degrees << " degrees";
-    expect_clear(map, kEraMobi, plan);
+    EXPECT_EQ(PolygonCheck(map, kEraMobi).first_hit(plan.path), "");
   }
 }
 

@@ -8,6 +8,8 @@
 #include <numbers>
 #include <queue>
 
+#include "tests/modules/planner/support/polygon_check.h"
+
 namespace scanway::test {
 namespace {
 
@@ -60,50 +62,13 @@ std::optional<double> in_metres(double units, double resolution_m) {
   return units / (kStraight * 2.0 * 64.0) * resolution_m;
 }
 
-/// Whether a convex polygon and the square of side 1 about `middle` overlap by more than 2e-4.
-bool overlaps(const std::vector<Eigen::Vector2d>& polygon, const Eigen::Vector2d& middle) {
-  std::vector<Eigen::Vector2d> axes = {{1.0, 0.0}, {0.0, 1.0}};
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Eigen::Vector2d edge = polygon[(i + 1) % polygon.size()] - polygon[i];
-    axes.emplace_back(Eigen::Vector2d(-edge.y(), edge.x()).normalized());
-  }
-  return std::all_of(axes.begin(), axes.end(), [&](const Eigen::Vector2d& axis) {
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (const auto& corner : polygon) {
-      low = std::min(low, axis.dot(corner - middle));
-      high = std::max(high, axis.dot(corner - middle));
-    }
-    const double half = 0.5 * (std::fabs(axis.x()) + std::fabs(axis.y()));
-    return low < half - 2e-4 && high > -half + 2e-4;
-  });
-}
-
-/// The body at a pose whose position is in cells (middle of cell (x, y) at (x, y)).
-bool hits(const TestMap& map, const Robot& robot, const Eigen::Vector2d& at, double angle) {
-  const double scale = 1.0 / map.map.resolution_m;
-  std::vector<Eigen::Vector2d> polygon;
-  for (const auto& corner : robot.body.footprint) {
-    polygon.push_back(at + scale * Eigen::Vector2d(std::cos(angle) * corner.x() - std::sin(angle) * corner.y(),
-                                                   std::sin(angle) * corner.x() + std::cos(angle) * corner.y()));
-  }
-  const int reach = static_cast<int>(std::ceil(robot.circumscribed_radius_m() * scale)) + 1;
-  const Cell middle = {static_cast<std::int32_t>(std::floor(at.x() + 0.5)),
-                       static_cast<std::int32_t>(std::floor(at.y() + 0.5))};
-  for (int y = middle.y - reach; y <= middle.y + reach; ++y) {
-    for (int x = middle.x - reach; x <= middle.x + reach; ++x) {
-      if (blocks(map, robot, {x, y}) && overlaps(polygon, Eigen::Vector2d(x, y))) return true;
-    }
-  }
-  return false;
-}
-
 /// All the poses of a body on the grid, each tested once.
 class PoseTable {
  public:
-  PoseTable(const TestMap& map, const Robot& robot) : map_(map), robot_(robot) {}
+  PoseTable(const TestMap& map, const Robot& robot) : map_(map), robot_(robot), check_(map, robot) {}
 
   bool is_free(Cell cell, double heading) const {
-    return map_.bounds.contains(cell) && !hits(map_, robot_, {1.0 * cell.x, 1.0 * cell.y}, angle(heading));
+    return map_.bounds.contains(cell) && !check_.hits({1.0 * cell.x, 1.0 * cell.y}, angle(heading));
   }
   /// Turning from heading to heading + by, looked at every half degree.
   bool can_turn(Cell cell, int heading, int by) const {
@@ -114,7 +79,7 @@ class PoseTable {
   }
   bool can_step(Cell cell, int heading, const Cell& step) const {
     for (int i = 0; i <= 8; ++i) {
-      if (hits(map_, robot_, {cell.x + step.x * i / 8.0, cell.y + step.y * i / 8.0}, angle(heading))) return false;
+      if (check_.hits({cell.x + step.x * i / 8.0, cell.y + step.y * i / 8.0}, angle(heading))) return false;
     }
     return map_.bounds.contains({cell.x + step.x, cell.y + step.y});
   }
@@ -126,7 +91,7 @@ class PoseTable {
     for (int y = -reach; y <= reach; ++y) {
       for (int x = -reach; x <= reach; ++x) {
         const double dx = std::max(std::abs(x) - 0.5, 0.0), dy = std::max(std::abs(y) - 0.5, 0.0);
-        if (dx * dx + dy * dy < radius2 - 1e-9 && blocks(map_, robot_, {cell.x + x, cell.y + y})) return false;
+        if (dx * dx + dy * dy < radius2 - 1e-9 && check_.blocks({cell.x + x, cell.y + y})) return false;
       }
     }
     return map_.bounds.contains(cell);
@@ -136,6 +101,7 @@ class PoseTable {
   static double angle(double heading) { return heading * std::numbers::pi / 8.0; }
   const TestMap& map_;
   const Robot& robot_;
+  PolygonCheck check_;
 };
 
 }  // namespace
@@ -219,12 +185,6 @@ std::optional<double> dijkstra_cost_of_body(const TestMap& map, const Robot& rob
         }
       });
   return in_metres(units, map.map.resolution_m);
-}
-
-bool body_hits(const TestMap& map, const Robot& robot, double x_m, double y_m, double heading) {
-  const double scale = 1.0 / map.map.resolution_m;
-  const Eigen::Vector2d at((x_m - map.map.origin_x_m) * scale - 0.5, (y_m - map.map.origin_y_m) * scale - 0.5);
-  return hits(map, robot, at, heading);
 }
 
 }  // namespace scanway::test

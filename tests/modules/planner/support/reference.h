@@ -21,8 +21,4 @@ std::optional<double> dijkstra_cost(const TestMap& map, const Robot& robot, plan
 std::optional<double> dijkstra_cost_of_body(const TestMap& map, const Robot& robot, Cell start, Cell goal,
                                             int headings);
 
-/// Whether the area of the footprint at (x, y, heading) overlaps that of a cell in state `occupied` (or unknown, under
-/// `never`), by more than rounding. Separating axes: convex footprints only.
-bool body_hits(const TestMap& map, const Robot& robot, double x_m, double y_m, double heading);
-
 }  // namespace scanway::test

@@ -1,4 +1,4 @@
-#include "modules/planner/core/search/obstruction.h"
+#include "modules/planner/core/explain/obstruction.h"
 
 #include <algorithm>
 #include <cmath>
