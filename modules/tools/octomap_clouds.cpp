@@ -1,7 +1,6 @@
 #include "modules/tools/octomap_clouds.h"
 
 #include <fmt/format.h>
-#include <octomap/OcTree.h>
 #include <spdlog/spdlog.h>
 #include <tbb/global_control.h>
 
@@ -52,11 +51,12 @@ MapPoints read_sweep(const std::string& file, const Pose& X_map_scan) {
   return sweep;
 }
 
-void print(const octomap::OcTree& tree, const std::string& bytes, StageTimer& timer, bool as_json) {
+void print(const OccupancyTree& tree, const std::string& bytes, StageTimer& timer, bool as_json) {
   const std::string digest_hex = hex(digest({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}));
   nlohmann::ordered_json json;
-  json["nodes"] = tree.size();
-  json["leaves"] = tree.getNumLeafNodes();
+  const OccupancyTree::Size size = tree.size();
+  json["nodes"] = size.nodes;
+  json["leaves"] = size.leaves;
   json["bytes"] = bytes.size();
   json["digest"] = digest_hex;
   std::string seconds;
@@ -66,7 +66,7 @@ void print(const octomap::OcTree& tree, const std::string& bytes, StageTimer& ti
   }
   json["seconds"]["total"] = timer.total_s();
   if (as_json) return (void)std::puts(json.dump(2).c_str());
-  fmt::print("{} nodes, {} leaves, {} bytes, digest {}\nseconds:{} total {:.3f}\n", tree.size(), tree.getNumLeafNodes(),
+  fmt::print("{} nodes, {} leaves, {} bytes, digest {}\nseconds:{} total {:.3f}\n", size.nodes, size.leaves,
              bytes.size(), digest_hex, seconds, timer.total_s());
 }
 
@@ -90,7 +90,7 @@ int run_octomap(const OctomapOptions& options) {
   const std::string bytes = options.output.ends_with(".ot") ? tree.ot_bytes() : tree.bt_bytes();
   write_file(options.output, bytes);
   timer.finish();
-  print(tree.tree(), bytes, timer, options.json);
+  print(tree, bytes, timer, options.json);
   return 0;
 }
 

@@ -6,14 +6,12 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <octomap/OcTree.h>
 
 #include "common/bus/channels.h"
 #include "common/messages/codec.h"
 #include "common/messages/cost_map_message.h"
 #include "common/messages/digest.h"
 #include "common/messages/objects.h"
-#include "scanway/cloud_tile_t.hpp"
 #include "scanway/octomap_t.hpp"
 
 namespace scanway {
@@ -41,6 +39,13 @@ void MapPublisher::publish(const Map& map, const MapChange& change, Utime utime)
   close_version(map.cost_map(), version, utime);
   publish_cloud(map.cloud(), version, utime);
   publish_octomap(map.occupancy_tree(), version, utime);
+}
+
+void MapPublisher::publish_whole(const Map& map, Utime utime) {
+  MapChange all;
+  all.version = map.version();
+  for (const auto& [tile, content] : map.cost_map().tiles) all.changed_tiles.push_back(tile);
+  publish(map, all, utime);
 }
 
 void MapPublisher::publish_tiles(const CostMap& map, const MapChange& change, Utime utime) {
@@ -76,27 +81,33 @@ void MapPublisher::publish_cloud(const VoxelCloud& cloud, std::int64_t version, 
     const Eigen::Vector3f& p = points.points[i];
     add_point(cubes[{cube_index(p.x()), cube_index(p.y()), cube_index(p.z())}], points, i);
   }
+  for (const auto& [cube, content] : cubes_) cubes[cube];  // One that has no point any more is empty now.
+  const double voxel_m = cloud.voxel_m();
   for (auto& [cube, tile] : cubes) {
-    std::tie(tile.cube[0], tile.cube[1], tile.cube[2]) = cube;
-    tile.cube_side_m = kCubeSide;
-    tile.voxel_m = cloud.voxel_m();
-    tile.npoints = static_cast<std::int32_t>(tile.x.size());
-    tile.nintensities = static_cast<std::int32_t>(tile.intensity.size());
-    // Without time and version, so that a cube that did not change has the digest that it had.
-    const std::uint64_t content = digest(encode(tile));
-    if (std::exchange(cubes_[cube], content) == content) continue;
-    tile.utime = utime;
-    tile.map_version = version;
-    const std::string key = fmt::format("{},{},{}", tile.cube[0], tile.cube[1], tile.cube[2]);
-    publish_object(bus_, channel::kCloudTile, encode(tile), key, version, utime);
+    tile.voxel_m = voxel_m;
+    publish_cube(cube, tile, version, utime);
   }
+}
+
+void MapPublisher::publish_cube(const Cube& cube, cloud_tile_t& tile, std::int64_t version, Utime utime) {
+  std::tie(tile.cube[0], tile.cube[1], tile.cube[2]) = cube;
+  tile.cube_side_m = kCubeSide;
+  tile.npoints = static_cast<std::int32_t>(tile.x.size());
+  tile.nintensities = static_cast<std::int32_t>(tile.intensity.size());
+  // Without time and version, so that a cube that did not change has the digest that it had.
+  const std::uint64_t content = digest(encode(tile));
+  if (std::exchange(cubes_[cube], content) == content) return;
+  tile.utime = utime;
+  tile.map_version = version;
+  const std::string key = fmt::format("{},{},{}", tile.cube[0], tile.cube[1], tile.cube[2]);
+  publish_object(bus_, channel::kCloudTile, encode(tile), key, version, utime);
 }
 
 void MapPublisher::publish_octomap(const OccupancyTree& tree, std::int64_t version, Utime utime) {
   octomap_t message{};
   message.utime = utime;
   message.map_version = version;
-  message.octomap_resolution_m = tree.tree().getResolution();
+  message.octomap_resolution_m = tree.resolution_m();
   const std::string stream = tree.bt_bytes();
   message.bt_stream.assign(stream.begin(), stream.end());
   message.nbytes = static_cast<std::int32_t>(stream.size());

@@ -1,14 +1,12 @@
 #include "modules/mapper/core/octomap/occupancy_tree.h"
 
-#include <sstream>
-
+#include "modules/mapper/core/octomap/log_odds_tree.h"
 #include "modules/mapper/core/octomap/sweep_voxels.h"
-#include "modules/mapper/core/octomap/tree_update.h"
 
 namespace scanway {
 
 OccupancyTree::OccupancyTree(const OccupancyTreeConfig& config)
-    : config_(config), tree_(std::make_unique<SweptOcTree>(config.resolution_m)) {}
+    : config_(config), tree_(std::make_unique<LogOddsTree>()) {}
 
 OccupancyTree::~OccupancyTree() = default;
 OccupancyTree::OccupancyTree(OccupancyTree&&) noexcept = default;
@@ -21,27 +19,13 @@ void OccupancyTree::insert(const MapPoints& points) {
   tree_->update(bricks);
 }
 
-const octomap::OcTree& OccupancyTree::tree() const { return *tree_; }
-
-std::string OccupancyTree::ot_bytes() const {
-  std::ostringstream bytes;
-  tree_->write(bytes);
-  return std::move(bytes).str();
+OccupancyTree::Size OccupancyTree::size() const {
+  const LogOddsTree::Size size = tree_->size();
+  return {size.nodes, size.leaves};
 }
 
-std::string OccupancyTree::bt_bytes() const {
-  // What writeBinary does, but on a copy, for it sets every node to its most likely state and prunes, and without the
-  // lines that it prints.
-  octomap::OcTree most_likely(*tree_);
-  most_likely.toMaxLikelihood();
-  most_likely.prune();
-  std::ostringstream bytes;
-  bytes
-      << "# Octomap OcTree binary file\n# (feel free to add / change comments, but leave the first line as it is!)\n#\n"
-      << "id " << most_likely.getTreeType() << "\nsize " << most_likely.size() << "\nres "
-      << most_likely.getResolution() << "\ndata\n";
-  most_likely.writeBinaryData(bytes);
-  return std::move(bytes).str();
-}
+std::string OccupancyTree::ot_bytes() const { return tree_->ot_bytes(config_.resolution_m); }
+
+std::string OccupancyTree::bt_bytes() const { return tree_->bt_bytes(config_.resolution_m); }
 
 }  // namespace scanway

@@ -1,17 +1,14 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <string>
 
 #include "modules/mapper/core/cloud/map_points.h"
 
-namespace octomap {
-class OcTree;
-}
-
 namespace scanway {
 
-class SweptOcTree;
+class LogOddsTree;
 
 struct OccupancyTreeConfig {
   double resolution_m = 0.1;
@@ -20,7 +17,8 @@ struct OccupancyTreeConfig {
 };
 
 /// The OctoMap of the accepted sweeps: what liboctomap's OcTree with its default sensor model holds after
-/// insertPointCloud(cloud, origin, max_range, lazy_eval = false, discretize) of each sweep in order.
+/// insertPointCloud(cloud, origin, max_range, lazy_eval = false, discretize) of each sweep in order. Who needs that
+/// class reads it from ot_bytes(): octomap::AbstractOcTree::read.
 class OccupancyTree {
  public:
   explicit OccupancyTree(const OccupancyTreeConfig& config);
@@ -33,11 +31,16 @@ class OccupancyTree {
 
   std::string ot_bytes() const;  ///< The .ot file: every node's log-odds.
   std::string bt_bytes() const;  ///< The .bt file: each node at its most likely state.
-  const octomap::OcTree& tree() const;
+
+  struct Size {
+    std::size_t nodes = 0, leaves = 0;
+  };
+  Size size() const;  ///< Counted anew.
+  double resolution_m() const { return config_.resolution_m; }
 
  private:
   OccupancyTreeConfig config_;
-  std::unique_ptr<SweptOcTree> tree_;
+  std::unique_ptr<LogOddsTree> tree_;
 };
 
 }  // namespace scanway

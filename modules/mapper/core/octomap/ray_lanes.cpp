@@ -1,52 +1,40 @@
 #include "modules/mapper/core/octomap/ray_lanes.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace scanway {
 namespace {
 
 constexpr std::size_t kLanes = RayLanes::kLanes;
 using State = RayLanes::State;
+using Doubles = RayLanes::Doubles;
+using Words = RayLanes::Words;
 
 // OctoMap has room for so many voxels along a ray; a longer one has no defined result there.
 constexpr std::int64_t kMostVoxels = 100'000;
+constexpr std::int64_t kStepsAtOnce = 16;  // so many voxels of each lane stay in the nearest cache
 
-inline void mark(State& state, std::size_t lane, MortonCode mirrored, VoxelBricks& bricks) {
-  const MortonCode code = mirrored ^ state.mirror[lane];
-  if (code >> kBrickBits != state.brick[lane]) {
-    state.brick[lane] = code >> kBrickBits;
-    state.free[lane] = bricks.at(state.brick[lane]).free.data();
-  }
-  state.free[lane][code / 64 % kBrickWords] |= std::uint64_t{1} << (code % 64);
+namespace any_cpu {
+#include "modules/mapper/core/octomap/lane_steps.inc"
 }
-
-/// One step of every lane, without a branch; plain loops, so that the compiler makes of them what each CPU can.
-inline void step_all(State& state) {
-  double* const x = state.border_m[0];
-  double* const y = state.border_m[1];
-  double* const z = state.border_m[2];
-#pragma GCC unroll 1
-  for (std::size_t i = 0; i < kLanes; ++i) {
-    const bool x_first = x[i] < y[i];
-    const bool along_x = x_first & (x[i] < z[i]);
-    const bool along_y = !x_first & (y[i] < z[i]);
-    const bool along_z = !(along_x | along_y);
-    x[i] += along_x ? state.between_m[0][i] : 0.0;
-    y[i] += along_y ? state.between_m[1][i] : 0.0;
-    z[i] += along_z ? state.between_m[2][i] : 0.0;
-    const MortonCode bits = along_x ? kAxisBits[0] : along_y ? kAxisBits[1] : kAxisBits[2];
-    const MortonCode code = state.code[i];
-    state.code[i] = (((code | ~bits) + (bits & 7)) & bits) | (code & ~bits);
-  }
+#pragma GCC push_options
+#pragma GCC target("avx2")
+namespace avx2 {
+#include "modules/mapper/core/octomap/lane_steps.inc"
 }
+#pragma GCC pop_options
+#pragma GCC push_options
+#pragma GCC target("avx512f")
+namespace avx512 {
+#include "modules/mapper/core/octomap/lane_steps.inc"
+}
+#pragma GCC pop_options
 
-__attribute__((target_clones("default", "avx2", "avx512f"))) void walk(State& state, std::int64_t steps,
-                                                                       VoxelBricks& bricks) {
-  for (std::int64_t s = 0; s < steps; ++s) {
-    step_all(state);
-    for (std::size_t lane = 0; lane < kLanes; ++lane) mark(state, lane, state.code[lane], bricks);
-  }
+using StepAll = void (*)(State&, std::size_t, Words*);
+
+StepAll step_all_of_this_cpu() {
+  if (__builtin_cpu_supports("avx512f")) return avx512::step_all;
+  return __builtin_cpu_supports("avx2") ? avx2::step_all : any_cpu::step_all;
 }
 
 }  // namespace
@@ -68,12 +56,8 @@ void RayLanes::load(std::size_t lane, const KeyRay& ray) {
   }
   state_.code[lane] = ray.code;
   state_.mirror[lane] = ray.mirror;
-  state_.brick[lane] = (ray.code ^ ray.mirror) >> kBrickBits;
-  state_.free[lane] = bricks_.at(state_.brick[lane]).free.data();
-  state_.sure_steps[lane] = std::max<std::int64_t>(0, ray.sure_steps);
-  state_.end[lane] = ray.end;
-  state_.length_m[lane] = ray.length_m;
-  state_.voxels[lane] = 1 + state_.sure_steps[lane];
+  const std::int64_t sure = std::max<std::int64_t>(0, ray.sure_steps);
+  ends_[lane] = {ray.end, ray.length_m, sure, 1 + sure};
 }
 
 void RayLanes::move(std::size_t from, std::size_t to) {
@@ -83,20 +67,37 @@ void RayLanes::move(std::size_t from, std::size_t to) {
   }
   state_.code[to] = state_.code[from];
   state_.mirror[to] = state_.mirror[from];
-  state_.brick[to] = state_.brick[from];
-  state_.free[to] = state_.free[from];
-  state_.sure_steps[to] = state_.sure_steps[from];
-  state_.end[to] = state_.end[from];
-  state_.length_m[to] = state_.length_m[from];
-  state_.voxels[to] = state_.voxels[from];
+  places_[to] = places_[from];
+  ends_[to] = ends_[from];
+}
+
+inline void RayLanes::mark(Place& place, MortonCode voxel) {
+  const VoxelBricks::BrickNumber brick = voxel >> kBrickBits, number = brick >> VoxelBricks::kTableBits;
+  if (place.number != number) place = {number, &bricks_.table_of(brick)};
+  bricks_.at(*place.table, brick).free[voxel / 64 % kBrickWords] |= std::uint64_t{1} << (voxel % 64);
+}
+
+void RayLanes::walk(std::int64_t steps) {
+  static const StepAll step_all = step_all_of_this_cpu();
+  Words voxels[kStepsAtOnce];
+  while (steps > 0) {
+    const std::int64_t now = std::min(steps, kStepsAtOnce);
+    step_all(state_, static_cast<std::size_t>(now), voxels);
+    // Step by step, not ray by ray: voxels of one ray share words, and each would wait for the one before.
+    for (std::int64_t s = 0; s < now; ++s) {
+      for (std::size_t lane = 0; lane < kLanes; ++lane) mark(places_[lane], voxels[s][lane]);
+    }
+    steps -= now;
+  }
 }
 
 void RayLanes::walk_until_one_is_done() {
-  const std::int64_t steps = *std::min_element(state_.sure_steps, state_.sure_steps + kLanes);
-  walk(state_, steps, bricks_);
-  for (std::int64_t& left : state_.sure_steps) left -= steps;
+  std::int64_t steps = ends_[0].sure_steps;
+  for (const End& end : ends_) steps = std::min(steps, end.sure_steps);
+  walk(steps);
+  for (End& end : ends_) end.sure_steps -= steps;
   for (std::size_t lane = kLanes; lane-- > 0;) {
-    if (state_.sure_steps[lane] > 0) continue;
+    if (ends_[lane].sure_steps > 0) continue;
     walk_to_end(lane);
     move(--used_, lane);
   }
@@ -105,13 +106,14 @@ void RayLanes::walk_until_one_is_done() {
 void RayLanes::walk_to_end(std::size_t lane) {
   double t[3] = {state_.border_m[0][lane], state_.border_m[1][lane], state_.border_m[2][lane]};
   MortonCode code = state_.code[lane];
-  for (std::int64_t n = state_.voxels[lane] - state_.sure_steps[lane]; n < kMostVoxels; ++n) {
+  const End& end = ends_[lane];
+  for (std::int64_t n = end.voxels - end.sure_steps; n < kMostVoxels; ++n) {
     const std::size_t axis = t[0] < t[1] ? (t[0] < t[2] ? 0 : 2) : (t[1] < t[2] ? 1 : 2);
     t[axis] += state_.between_m[axis][lane];
     const MortonCode bits = kAxisBits[axis];
-    code = (((code | ~bits) + (MortonCode{1} << axis)) & bits) | (code & ~bits);
-    if (code == state_.end[lane] || std::min(std::min(t[0], t[1]), t[2]) > state_.length_m[lane]) return;
-    mark(state_, lane, code, bricks_);
+    code = (((code & bits) - bits) & bits) | (code & ~bits);
+    if (code == end.code || std::min(std::min(t[0], t[1]), t[2]) > end.length_m) return;
+    mark(places_[lane], code ^ state_.mirror[lane]);
   }
 }
 

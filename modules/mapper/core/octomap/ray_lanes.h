@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -19,27 +20,40 @@ class RayLanes {
   void add(const KeyRay& ray);
   void finish();
 
-  /// What the lanes step, a row each quantity.
+  using Doubles = double __attribute__((vector_size(8 * kLanes)));
+  using Words = std::uint64_t __attribute__((vector_size(8 * kLanes)));
+
+  /// What the lanes step, one vector each quantity.
   struct State {
-    alignas(64) double border_m[3][kLanes];
-    alignas(64) double between_m[3][kLanes];
-    alignas(64) MortonCode code[kLanes];
-    alignas(64) MortonCode mirror[kLanes];
-    VoxelBricks::BrickNumber brick[kLanes];  ///< The brick of `free`.
-    std::uint64_t* free[kLanes];
-    std::int64_t sure_steps[kLanes];  ///< That are still to go.
-    MortonCode end[kLanes];
-    double length_m[kLanes];
-    std::int64_t voxels[kLanes];  ///< Marked when the sure steps are done.
+    Doubles border_m[3];
+    Doubles between_m[3];
+    Words code;
+    Words mirror;
   };
 
  private:
+  /// A ray's part of the bricks that it is in, so that not every voxel is looked for from the top.
+  struct Place {
+    VoxelBricks::BrickNumber number = ~VoxelBricks::BrickNumber{0};  ///< Of the table.
+    VoxelBricks::Table* table = nullptr;
+  };
+  /// What ends a ray.
+  struct End {
+    MortonCode code;
+    double length_m;
+    std::int64_t sure_steps;  ///< That are still to go.
+    std::int64_t voxels;      ///< Marked when the sure steps are done.
+  };
+  void mark(Place& place, MortonCode voxel);
   void load(std::size_t lane, const KeyRay& ray);
   void move(std::size_t from, std::size_t to);
+  void walk(std::int64_t steps);
   void walk_until_one_is_done();
   void walk_to_end(std::size_t lane);
 
   State state_{};
+  std::array<Place, kLanes> places_;
+  std::array<End, kLanes> ends_;
   std::size_t used_ = 0;
   VoxelBricks& bricks_;
 };

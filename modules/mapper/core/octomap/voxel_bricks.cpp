@@ -21,22 +21,18 @@ MortonCode morton_code(const octomap::OcTreeKey& key) {
   return spread(key[0]) | spread(key[1]) << 1 | spread(key[2]) << 2;
 }
 
-VoxelBrick& VoxelBricks::at(BrickNumber number) {
+VoxelBricks::Table& VoxelBricks::table_of(BrickNumber number) {
   std::unique_ptr<Tables>& tables = tables_[number >> (2 * kTableBits)];
   if (!tables) tables = std::make_unique<Tables>();
-  std::unique_ptr<Bricks>& bricks = (*tables)[number >> kTableBits & (kTableSize - 1)];
-  if (!bricks) bricks = std::make_unique<Bricks>();
-  VoxelBrick*& brick = (*bricks)[number & (kTableSize - 1)];
-  if (brick == nullptr) {
-    brick = next_brick();
-    numbers_.push_back(number);
-  }
-  return *brick;
+  std::unique_ptr<Table>& table = (*tables)[number >> kTableBits & (kTableSize - 1)];
+  if (!table) table = std::make_unique<Table>();
+  return *table;
 }
 
-VoxelBrick* VoxelBricks::next_brick() {
+VoxelBrick* VoxelBricks::make(BrickNumber number) {
   const std::size_t in_slab = numbers_.size() % kBricksInSlab;
   if (in_slab == 0) slabs_.push_back(std::make_unique<VoxelBrick[]>(kBricksInSlab));
+  numbers_.push_back(number);
   return &slabs_.back()[in_slab];
 }
 

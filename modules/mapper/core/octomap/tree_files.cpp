@@ -1,0 +1,127 @@
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <locale>
+#include <sstream>
+
+#include "modules/mapper/core/octomap/log_odds_tree.h"
+
+namespace scanway {
+namespace {
+
+std::string header(const char* first_line, std::size_t nodes, double resolution_m) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << first_line << "\n# (feel free to add / change comments, but leave the first line as it is!)\n#\n"
+       << "id OcTree\nsize " << nodes << "\nres " << resolution_m << "\ndata\n";
+  return text.str();
+}
+
+/// Of each node its value and which children it has, parents first.
+void write_values(const NodeBlocks& blocks, const NodeBlock& block, std::size_t child, std::string& data) {
+  const std::size_t at = data.size();
+  data.resize(at + sizeof(float) + 1);
+  std::memcpy(&data[at], &block.log_odds[child], sizeof(float));
+  if (block.children[child] == 0) return;
+  const NodeBlock& children = blocks[block.children[child]];
+  unsigned present = 0;
+  for (std::size_t i = 0; i < 8; ++i) {
+    if (!children.has(i)) continue;
+    present |= 1u << i;
+    write_values(blocks, children, i, data);
+  }
+  data[at + sizeof(float)] = static_cast<char>(present);
+}
+
+void count(const NodeBlocks& blocks, const NodeBlock& block, std::size_t child, LogOddsTree::Size& size) {
+  ++size.nodes;
+  if (block.children[child] == 0) return (void)++size.leaves;
+  const NodeBlock& children = blocks[block.children[child]];
+  for (std::size_t i = 0; i < 8; ++i) {
+    if (children.has(i)) count(blocks, children, i, size);
+  }
+}
+
+/// The most likely states of a tree, pruned as OcTreeBaseImpl::prune() does: from the deepest level upwards, until
+/// there is one that has nothing to prune; the root stays.
+class MostLikely {
+ public:
+  MostLikely(const NodeBlocks& blocks, const NodeBlock& top) : blocks_(blocks) {
+    state(top, 0, 0);
+    while (last_pruned_ > 1 && pruned_[static_cast<std::size_t>(last_pruned_) - 1] > 0) --last_pruned_;
+    write(top, 0, 0);
+  }
+
+  std::string data;       ///< Of each node with children, parents first, its children's states in two bits each.
+  std::size_t nodes = 0;  ///< After pruning.
+
+ private:
+  enum State : unsigned { unknown = 0, free = 1, occupied = 2, inner = 3 };
+
+  static State of_leaf(float log_odds) { return log_odds >= 0.0f ? occupied : free; }
+
+  /// The state of a node if every level were pruned; counts what is pruned on each.
+  State state(const NodeBlock& block, std::size_t child, std::size_t depth) {
+    if (block.children[child] == 0) return of_leaf(block.log_odds[child]);
+    const NodeBlock& children = blocks_[block.children[child]];
+    std::array<State, 8> states{};
+    for (std::size_t i = 0; i < 8; ++i) states[i] = children.has(i) ? state(children, i, depth + 1) : unknown;
+    if (!alike(states)) return inner;
+    ++pruned_[depth];
+    return states[0];
+  }
+
+  static bool alike(const std::array<State, 8>& states) {
+    return (states[0] == free || states[0] == occupied) &&
+           std::all_of(states.begin(), states.end(), [&](State state) { return state == states[0]; });
+  }
+
+  /// The same, with the levels that are pruned, writing; what a pruned node's children wrote is taken back.
+  State write(const NodeBlock& block, std::size_t child, std::size_t depth) {
+    ++nodes;
+    if (block.children[child] == 0 && depth > 0) return of_leaf(block.log_odds[child]);
+    const std::size_t at = data.size(), nodes_before = nodes;
+    data.resize(at + 2);
+    if (block.children[child] == 0) return inner;  // a root alone
+    const NodeBlock& children = blocks_[block.children[child]];
+    std::array<State, 8> states{};
+    for (std::size_t i = 0; i < 8; ++i) states[i] = children.has(i) ? write(children, i, depth + 1) : unknown;
+    if (static_cast<int>(depth) >= last_pruned_ && alike(states)) {
+      data.resize(at);
+      nodes = nodes_before;
+      return states[0];
+    }
+    unsigned bits = 0;
+    for (std::size_t i = 0; i < 8; ++i) bits |= states[i] << (2 * i);
+    data[at] = static_cast<char>(bits & 255);
+    data[at + 1] = static_cast<char>(bits >> 8);
+    return inner;
+  }
+
+  const NodeBlocks& blocks_;
+  std::array<std::size_t, kTreeLevels> pruned_{};  ///< By depth.
+  int last_pruned_ = kTreeLevels;                  ///< The least depth that is pruned.
+};
+
+}  // namespace
+
+LogOddsTree::Size LogOddsTree::size() const {
+  Size size;
+  if (top_.has(0)) count(blocks_, top_, 0, size);
+  return size;
+}
+
+std::string LogOddsTree::ot_bytes(double resolution_m) const {
+  std::string data;
+  if (top_.has(0)) write_values(blocks_, top_, 0, data);
+  return header("# Octomap OcTree file", data.size() / (sizeof(float) + 1), resolution_m) + data;
+}
+
+std::string LogOddsTree::bt_bytes(double resolution_m) const {
+  constexpr const char* kFirstLine = "# Octomap OcTree binary file";
+  if (!top_.has(0)) return header(kFirstLine, 0, resolution_m);
+  const MostLikely tree(blocks_, top_);
+  return header(kFirstLine, tree.nodes, resolution_m) + tree.data;
+}
+
+}  // namespace scanway
