@@ -11,6 +11,7 @@ struct SimulateSweepOptions {
   std::uint64_t seed = 1;
   std::vector<std::string> poses;  ///< "x,y,yaw": metres and radians in the world's frame; several only for a log.
   int thin = 1;                    ///< Every thin-th line, and of it every thin-th beam.
+  int people = 0;                  ///< Who walk about near the robot.
   std::string robot;
   bool body = false;   ///< Keep the points on the robot itself.
   std::string output;  ///< *.pcd, or *.lcm or *.lcmlog.

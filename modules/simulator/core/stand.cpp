@@ -5,7 +5,6 @@
 
 #include "common/math/repeatable.h"
 #include "modules/simulator/core/ray/ray_caster.h"
-#include "modules/simulator/core/truth/truth_grid.h"
 
 namespace scanway::simulator {
 namespace {
@@ -38,24 +37,26 @@ std::string problem_of(CellTruth truth, const World& world) {
   }
 }
 
-/// The first cell under the footprint that the robot cannot be over.
 std::string problem_under(const World& world, const Robot& robot, const Place& place) {
-  constexpr double kStep_m = 0.01;
-  const double reach = robot.circumscribed_radius_m() + 0.05, c = repeatable::cos(place.heading),
-               s = repeatable::sin(place.heading);
-  const Vector2d centre(place.x, place.y), half = half_size(robot.body.footprint);
-  const TruthGrid truth =
-      make_truth(world, robot.body, kStep_m, Rectangle{centre.array() - reach, centre.array() + reach});
-  for (double x = -half.x(); x <= half.x(); x += kStep_m / 2) {
-    for (double y = -half.y(); y <= half.y(); y += kStep_m / 2) {
+  const double reach = robot.circumscribed_radius_m() + 0.05;
+  const Vector2d centre(place.x, place.y);
+  const Rectangle window{centre.array() - reach, centre.array() + reach};
+  return problem_on(make_truth(world, robot.body, kTruthCell_m, window), world, robot, place);
+}
+
+}  // namespace
+
+std::string problem_on(const TruthGrid& truth, const World& world, const Robot& robot, const Place& place) {
+  const double c = repeatable::cos(place.heading), s = repeatable::sin(place.heading);
+  const Vector2d half = half_size(robot.body.footprint);
+  for (double x = -half.x(); x <= half.x(); x += kTruthCell_m / 2) {
+    for (double y = -half.y(); y <= half.y(); y += kTruthCell_m / 2) {
       const CellTruth here = truth.at(place.x + c * x - s * y, place.y + s * x + c * y);
       if (here != CellTruth::free) return problem_of(here, world);
     }
   }
   return "";
 }
-
-}  // namespace
 
 Stand stand_at(const World& world, const Robot& robot, const Place& place) {
   Stand stand;

@@ -5,6 +5,7 @@
 
 #include "common/geometry/pose.h"
 #include "common/robot/robot.h"
+#include "modules/simulator/core/truth/truth_grid.h"
 #include "modules/simulator/core/world/world.h"
 
 namespace scanway::simulator {
@@ -17,5 +18,11 @@ struct Stand {
 };
 
 Stand stand_at(const World& world, const Robot& robot, const Place& place);
+
+/// The same by a grid that reaches the robot's circumscribed circle, without looking for the ground: what is wrong with
+/// the first cell under the footprint that the robot cannot be over; empty if there is none.
+std::string problem_on(const TruthGrid& truth, const World& world, const Robot& robot, const Place& place);
+
+constexpr double kTruthCell_m = 0.01;
 
 }  // namespace scanway::simulator

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "common/bus/channels.h"
 #include "common/bus/lcm_bus.h"
@@ -19,6 +20,7 @@
 #include "common/messages/codec.h"
 #include "common/process/program.h"
 #include "modules/simulator/device/robot/robot_in_world.h"
+#include "modules/simulator/process/console.h"
 #include "scanway/reference_pose_t.hpp"
 
 namespace scanway::simulator {
@@ -30,10 +32,21 @@ struct Options {
   double speed = 1.0;
   bool host_time = false;
   int thin = 1;
+  double slip = 0.02;
+  std::vector<std::string> faults;
   DeviceEnds ends{2112, "unix:/tmp/scanway-can", "/tmp/scanway-tracker", "/tmp/scanway-base"};
 };
 
+std::string list_of_faults() {
+  std::string list =
+      "\nFaults, NAME[=VALUE][@SECONDS[+SECONDS]] (value, when, for how long), also as lines on stdin:\n";
+  for (const FaultForm& form : fault_forms())
+    list += fmt::format("  {:16} {} [{}]\n", form.name, form.what, form.value);
+  return list;
+}
+
 void add_options(CLI::App& app, Options& options) {
+  app.footer(list_of_faults());
   app.add_option("--world", options.world, "World (scanway simulate worlds)")->capture_default_str();
   app.add_option("--seed", options.seed, "Of the world and of all noise")->capture_default_str();
   app.add_option("--pose", options.pose, "x,y,yaw: metres and radians; without: the first place of the world's route");
@@ -50,6 +63,11 @@ void add_options(CLI::App& app, Options& options) {
       ->capture_default_str();
   app.add_option("--tracker", options.ends.tracker, "Link to the tracker's terminal")->capture_default_str();
   app.add_option("--base", options.ends.base, "Link to the base's terminal")->capture_default_str();
+  app.add_option("--slip", options.slip, "Share of the wheels' way that gets lost, on average")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  app.add_option("--fault", options.faults, "What goes wrong, as in pan-stuck@10+5; again for more")
+      ->type_name("FAULT");
   app.add_option("--robot", options.robot, "Robot file; without: the simulated ERA-Mobi");
   app.add_option("--lcm-url", options.lcm_url, "LCM's bus, for the truth alone");
 }
@@ -89,6 +107,38 @@ void publish_truth(LcmBus& bus, const RobotInWorld& robot) {
   bus.publish(channel::kReferencePose.name, encode(message), message.utime);
 }
 
+/// What is written to this process's input is a fault, from then on.
+void hear_faults(Console& console, RobotInWorld& robot, Utime now) {
+  while (const auto line = console.next_line()) {
+    try {
+      if (!line->empty()) robot.add_fault(parse_fault(*line, now));
+    } catch (const InputError& error) {
+      spdlog::warn("{}", error.what());
+    }
+  }
+}
+
+/// Lives until it is asked to end.
+void live(RobotInWorld& robot, LcmBus& bus, double speed) {
+  const SteadyTime began = steady_now();
+  Console console;
+  std::string obstacle;
+  for (SteadyTime truth_due = began; !asked_to_end();) {
+    const SteadyTime now = steady_now();
+    const Utime clock = std::llround(static_cast<double>(now - began) * speed);
+    hear_faults(console, robot, clock);
+    robot.run(clock, 1);
+    for (const std::string& line : robot.take_news()) spdlog::info("fault {}", line);
+    if (robot.obstacle() != obstacle) {
+      obstacle = robot.obstacle();
+      if (!obstacle.empty()) spdlog::warn("the robot is held: it would stand {}", obstacle);
+    }
+    if (now < truth_due) continue;
+    truth_due = now + kMicrosecondsPerSecond;
+    publish_truth(bus, robot);
+  }
+}
+
 int run(const Options& options) {
   const World world = world_of(options);
   const Robot robot = options.robot.empty() ? simulated_robot() : load_robot(options.robot);
@@ -97,25 +147,15 @@ int run(const Options& options) {
   if (!stand.problem.empty()) throw InputError("--pose: the robot would stand " + stand.problem);
   LcmBus bus(lcm_url(options.lcm_url));
   RobotInWorld simulated(world, robot, stand, options.seed, options.thin, options.ends);
+  simulated.add_fault({FaultKind::slip, options.slip, 0, Fault::kNever});
+  for (const std::string& fault : options.faults) simulated.add_fault(parse_fault(fault, 0));
   if (options.host_time) simulated.tell_host_time(options.speed);
   fmt::print("laser    127.0.0.1:{}\npan-tilt {}\ntracker  {}\nbase     {}\n", simulated.lms_port(), options.ends.can,
              options.ends.tracker, options.ends.base);
   fmt::print("stands   {:.3f},{:.3f},{:.3f} in {} {}\n", place.x, place.y, place.heading, options.world, options.seed);
   std::fflush(stdout);
 
-  const SteadyTime began = steady_now();
-  std::string problem;
-  for (SteadyTime truth_due = began; !asked_to_end();) {
-    const SteadyTime now = steady_now();
-    simulated.run(std::llround(static_cast<double>(now - began) * options.speed), 1);
-    if (simulated.problem() != problem) {
-      problem = simulated.problem();
-      if (!problem.empty()) spdlog::warn("the robot stands {}", problem);
-    }
-    if (now < truth_due) continue;
-    truth_due = now + kMicrosecondsPerSecond;
-    publish_truth(bus, simulated);
-  }
+  live(simulated, bus, options.speed);
   return 0;
 }
 

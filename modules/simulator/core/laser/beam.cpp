@@ -64,13 +64,21 @@ struct BeamModel::Echo {
   Surface surface;
 };
 
-BeamModel::BeamModel(const Robot::Laser& laser, const RayCaster& world, const RayCaster& body)
-    : laser_(laser), world_(world), body_(body), range_scale_m_(laser.max_range_m <= 65.0 ? 0.001 : 0.002) {}
+BeamModel::BeamModel(const Robot::Laser& laser, const RayCaster& world, const RayCaster& body, const People& people,
+                     double window)
+    : laser_(laser),
+      world_(world),
+      body_(body),
+      people_(people),
+      window_(window),
+      range_scale_m_(laser.max_range_m <= 65.0 ? 0.001 : 0.002) {}
 
-RayCaster::FourHits BeamModel::cast(const Vector3d& origin, const RayCaster::Four& directions) const {
+RayCaster::FourHits BeamModel::cast(const Vector3d& origin, const RayCaster::Four& directions, double time_us) const {
+  const double reach_m = laser_.max_range_m + 1.0;
   RayCaster::FourHits on_body = body_.cast(origin, directions, kBodyReach_m);
-  if (all_miss(on_body)) return world_.cast(origin, directions, laser_.max_range_m + 1.0);
-  const RayCaster::FourHits on_world = world_.cast(origin, directions, laser_.max_range_m + 1.0);
+  RayCaster::FourHits on_world = world_.cast(origin, directions, reach_m);
+  people_.stand_before(on_world, origin, directions, reach_m, time_us);
+  if (all_miss(on_body)) return on_world;
   for (std::size_t i = 0; i < 4; ++i) {
     if (!on_body[i] || (on_world[i] && on_world[i]->range_m < on_body[i]->range_m)) on_body[i] = on_world[i];
   }
@@ -83,23 +91,23 @@ BeamReading BeamModel::reading_of(const Echo& echo, Random& random) const {
   if (optics.relief_m > 0.0) range += optics.relief_m * random.normal();
   const double count = std::floor(range / range_scale_m_ + 0.5);
   if (range > laser_.max_range_m || count < kFirstRangeCount || count > kLastRangeCount) return {};
-  const double white = std::min(2.0, echo.power * echo.range_m * echo.range_m);
+  const double white = std::min(2.0, window_ * echo.power * echo.range_m * echo.range_m);
   const double rssi = 35.0 + 170.0 * std::sqrt(white) - 0.8 * echo.range_m + 6.0 * (random.uniform() - 0.5);
   return {static_cast<std::uint16_t>(count), static_cast<std::uint8_t>(std::clamp(std::floor(rssi + 0.5), 1.0, 255.0)),
           echo.surface.label};
 }
 
-BeamReading BeamModel::read(const Eigen::Isometry3d& X_world_laser, double angle, Random random) const {
+BeamReading BeamModel::read(const Eigen::Isometry3d& X_world_laser, double angle, double time_us, Random random) const {
   const double cosine = repeatable::cos(angle), sine = repeatable::sin(angle);
   const Vector3d axis = X_world_laser.linear() * Vector3d(cosine, sine, 0.0);
   const double half_angle = laser_.divergence / 2;
   const Vector3d u = half_angle * (X_world_laser.linear() * Vector3d(-sine, cosine, 0.0));
   const Vector3d v = half_angle * X_world_laser.linear().col(2);
   const Vector3d origin = X_world_laser.translation();
-  const double least_power = kLeastPower * (1.0 + kPowerSpread * (2.0 * random.uniform() - 1.0));
+  const double least_power = kLeastPower / window_ * (1.0 + kPowerSpread * (2.0 * random.uniform() - 1.0));
 
   const RayCaster::Four middle = ring(axis, u, v, 0.6, true);
-  const RayCaster::FourHits first = cast(origin, middle);
+  const RayCaster::FourHits first = cast(origin, middle, time_us);
   if (all_on_one_plane(first)) {
     Hit hit = *first[0];
     hit.range_m = (hit.offset_m - hit.normal.dot(origin)) / hit.normal.dot(axis);
@@ -117,9 +125,9 @@ BeamReading BeamModel::read(const Eigen::Isometry3d& X_world_laser, double angle
     }
   };
   const RayCaster::Four inner = ring(axis, u, v, 0.25, false), outer = ring(axis, u, v, 0.95, false);
-  take(0, inner, cast(origin, inner), 0.120);
+  take(0, inner, cast(origin, inner, time_us), 0.120);
   take(4, middle, first, 0.099);
-  take(8, outer, cast(origin, outer), 0.031);
+  take(8, outer, cast(origin, outer, time_us), 0.031);
   std::stable_sort(samples.begin(), samples.end(), [](const Sample& a, const Sample& b) {
     return (a.hit ? a.hit->range_m : 1e9) < (b.hit ? b.hit->range_m : 1e9);
   });

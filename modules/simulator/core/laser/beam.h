@@ -4,6 +4,7 @@
 
 #include "common/random/random.h"
 #include "common/robot/robot.h"
+#include "modules/simulator/core/people/people.h"
 #include "modules/simulator/core/ray/ray_caster.h"
 
 namespace scanway::simulator {
@@ -20,23 +21,28 @@ struct BeamReading {
 /// other to be told apart is averaged: a mixed pixel. Too little light is no return.
 class BeamModel {
  public:
-  /// Both must outlive this. `body`: the robot itself, which no ray passes.
-  BeamModel(const Robot::Laser& laser, const RayCaster& world, const RayCaster& body);
+  /// All must outlive this. `body`: the robot itself, which no ray passes. `window`: how much of the light comes
+  /// through it, out and in; 1: it is clean.
+  BeamModel(const Robot::Laser& laser, const RayCaster& world, const RayCaster& body, const People& people,
+            double window = 1.0);
 
-  /// `X_world_laser`: where the laser is as the beam leaves; `angle`: its angle in the scan plane.
-  BeamReading read(const Eigen::Isometry3d& X_world_laser, double angle, Random random) const;
+  /// `X_world_laser`: where the laser is as the beam leaves, which is at `time_us` of the people's clock; `angle`: its
+  /// angle in the scan plane.
+  BeamReading read(const Eigen::Isometry3d& X_world_laser, double angle, double time_us, Random random) const;
 
   /// Metres of a count: a 16-bit count of millimetres ends at 65 m.
   double range_scale_m() const { return range_scale_m_; }
 
  private:
   struct Echo;
-  RayCaster::FourHits cast(const Eigen::Vector3d& origin, const RayCaster::Four& directions) const;
+  RayCaster::FourHits cast(const Eigen::Vector3d& origin, const RayCaster::Four& directions, double time_us) const;
   BeamReading reading_of(const Echo& echo, Random& random) const;
 
   const Robot::Laser& laser_;
   const RayCaster& world_;
   const RayCaster& body_;
+  const People& people_;
+  double window_;
   double range_scale_m_;
 };
 

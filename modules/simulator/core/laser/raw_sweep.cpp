@@ -80,7 +80,8 @@ RawSweep simulate_lines(const RayCaster& world, const Robot& robot, const Pose& 
                         const SweepConfig& config) {
   const Mesh body_triangles = body_mesh(robot, X_world_base);
   const RayCaster body(std::array{&body_triangles});
-  const BeamModel model(robot.laser, world, body);
+  const People people(world, X_world_base.translation(), config.people, config.seed);
+  const BeamModel model(robot.laser, world, body, people);
   RawSweep raw{
       ScanPattern(robot, config.start, config.seed, config.tilt), config.thin, 0, 0, model.range_scale_m(), {}};
   raw.lines = kept(raw.pattern.lines(), config.thin);
@@ -92,9 +93,9 @@ RawSweep simulate_lines(const RayCaster& world, const Robot& robot, const Pose& 
       BeamReading* out = &raw.readings[row * static_cast<std::size_t>(raw.beams)];
       for (int column = 0; column < raw.beams; ++column) {
         const int beam = raw.beam_of(column);
-        const double pan = raw.pattern.pan_angle(raw.pattern.beam_time_us(line, beam));
-        const Pose X_world_laser = X_world_base * raw.pattern.X_base_laser(pan);
-        out[column] = model.read(X_world_laser, raw.pattern.angle(beam), beam_random(config.seed, line, beam));
+        const double time_us = raw.pattern.beam_time_us(line, beam);
+        const Pose X_world_laser = X_world_base * raw.pattern.X_base_laser(raw.pattern.pan_angle(time_us));
+        out[column] = model.read(X_world_laser, raw.pattern.angle(beam), time_us, beam_random(config.seed, line, beam));
       }
     }
   });

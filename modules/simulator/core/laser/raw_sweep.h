@@ -16,6 +16,7 @@ struct SweepConfig {
   int thin = 1;  ///< Only every thin-th line, and of it every thin-th beam; what is left is the same as without.
   Utime start = 946'684'801 * kMicrosecondsPerSecond;  ///< When the pan begins to turn.
   double tilt = 0.0;                                   ///< Of the pan-tilt, radians, held.
+  int people = 0;                                      ///< Who walk about near the robot.
 };
 
 /// A sweep as the scanner counts it: row after row, one a line.

@@ -5,9 +5,9 @@
 namespace scanway::simulator {
 
 std::string_view name_of(Label label) {
-  static constexpr std::array<std::string_view, 13> kNames = {"nothing", "ground",    "building", "roof",    "pillar",
+  static constexpr std::array<std::string_view, 14> kNames = {"nothing", "ground",    "building", "roof",    "pillar",
                                                               "fence",   "pole",      "tree",     "foliage", "car",
-                                                              "debris",  "furniture", "robot"};
+                                                              "debris",  "furniture", "robot",    "person"};
   return kNames.at(static_cast<std::size_t>(label));
 }
 

@@ -21,6 +21,7 @@ enum class Label : std::uint8_t {
   debris = 10,
   furniture = 11,
   robot = 12,
+  person = 13,
 };
 
 std::string_view name_of(Label label);

@@ -99,6 +99,13 @@ void BaseEmulator::stand() {
   motion_.speed_mm_s = motion_.turn_rate_rad_s = 0.0;
 }
 
+void BaseEmulator::reboot() {
+  stand();
+  motion_ = {};
+  requests_ = {};
+  open_ = motors_on_ = false;
+}
+
 BaseBytes BaseEmulator::tick(Utime now) {
   advance(now);
   if (!open_ || now < next_report_) return {};

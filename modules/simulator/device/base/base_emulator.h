@@ -36,8 +36,13 @@ class BaseEmulator {
 
   const WheelMotion& motion() const { return motion_; }
   bool motors_on() const { return motors_on_; }
+  /// What the host asks for.
+  double wanted_mm_s() const { return motors_on_ ? wanted_mm_s_ : 0.0; }
+  double wanted_rad_s() const { return motors_on_ ? wanted_rad_s_ : 0.0; }
   /// As when a wheel is blocked: it stands, and says so.
   void block(bool blocked) { blocked_ = blocked; }
+  /// Switched off and on: it counts from zero, and waits for the host to open it.
+  void reboot();
 
  private:
   void obey(const BaseRequest& request, BaseBytes& answers, Utime now);

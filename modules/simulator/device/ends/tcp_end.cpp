@@ -18,7 +18,20 @@ bool would_block() { return errno == EAGAIN || errno == EINTR; }
 
 }  // namespace
 
-TcpEnd::TcpEnd(std::uint16_t port) : listener_(socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)) {
+TcpEnd::TcpEnd(std::uint16_t port) { listen_on(port); }
+
+void TcpEnd::open() {
+  if (!listener_.is_open()) listen_on(port_);
+}
+
+void TcpEnd::shut() {
+  host_.close();
+  listener_.close();
+  queued_.clear();
+}
+
+void TcpEnd::listen_on(std::uint16_t port) {
+  listener_ = FileDescriptor(socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
   const int on = 1;
   setsockopt(listener_.get(), SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
   sockaddr_in address{};
@@ -36,6 +49,7 @@ TcpEnd::TcpEnd(std::uint16_t port) : listener_(socket(AF_INET, SOCK_STREAM | SOC
 
 TcpEnd::Heard TcpEnd::hear() {
   Heard heard;
+  if (!listener_.is_open()) return heard;
   if (FileDescriptor next(accept4(listener_.get(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC)); next.is_open()) {
     const int on = 1;
     setsockopt(next.get(), IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);

@@ -22,14 +22,19 @@ class TcpEnd {
   /// What came; does not wait.
   Heard hear();
   bool connected() const { return host_.is_open(); }
+  /// Nobody listens here until open(): a host that was connected is cut off, another one is refused.
+  void shut();
+  /// Again on the same port.
+  void open();
   /// Queues a frame and sends what the connection takes. False: the host does not fetch what is sent, and the frame is
   /// dropped as a whole.
   bool say(const std::string& frame);
 
  private:
+  void listen_on(std::uint16_t port);
   void flush();
 
-  std::uint16_t port_;
+  std::uint16_t port_ = 0;
   FileDescriptor listener_, host_;
   std::string queued_;
 };

@@ -33,6 +33,12 @@ bool is_field(const std::string& name) {
          name[7] <= '9';
 }
 
+unsigned status_of(LmsEmulator::Window window) {
+  constexpr unsigned kPollutionWarning = 2, kPollutionError = 4;
+  if (window == LmsEmulator::Window::clean) return 0;
+  return window == LmsEmulator::Window::dirt_error ? kPollutionError : kPollutionWarning;
+}
+
 }  // namespace
 
 std::string LmsEmulator::receive(std::string_view bytes, Utime now) {
@@ -53,6 +59,14 @@ void LmsEmulator::hang_up() {
   requests_ = {};
 }
 
+void LmsEmulator::reboot() {
+  hang_up();
+  measuring_ = true;
+  first_after_run_ = false;
+  clock_offset_ = next_turn_ = 0;
+  telegrams_ = 0;
+}
+
 std::string LmsEmulator::answer(const HostRequest& request, Utime now) {
   if (request.command == "sRN") return read(request, now);
   if (request.command == "sWN") return write(request);
@@ -71,7 +85,7 @@ std::string LmsEmulator::read(const HostRequest& request, Utime now) {
   if (name == "SCdevicestate") return out.u8(logged_in_ ? kBusy : kReady).frame();
   if (name == "ODoprh") return out.u32(kOperatingHours).frame();
   if (name == "ODpwrc") return out.u32(kPowerOns).frame();
-  if (name == "LCMstate") return out.u8(0).frame();
+  if (name == "LCMstate") return out.u8(static_cast<unsigned>(window_)).frame();
   if (name == "FREchoFilter") return out.u8(echo_filter_).frame();
   if (name == "LMPscancfg") {
     out.u32(mode_.frequency).u16(1).u32(mode_.resolution).i32(mode_.start_angle).i32(mode_.stop_angle);
@@ -247,7 +261,7 @@ ScanTelegram LmsEmulator::scan(std::int64_t turn, Utime now) {
   const ScannedLine line = look_(mirror);
 
   ScanTelegram scan;
-  scan.status = first_after_run_ ? 1 : 0;
+  scan.status = (first_after_run_ ? 1U : 0U) | status_of(window_);
   scan.telegram_counter = telegrams_++;
   scan.scan_counter = static_cast<std::uint16_t>(turn);
   const auto told = [&](Utime time) { return static_cast<Utime>(static_cast<double>(time) / speed_); };

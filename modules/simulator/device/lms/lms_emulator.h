@@ -47,6 +47,12 @@ class LmsEmulator {
   /// Subscriptions and login end with the connection; settings stay.
   void hang_up();
 
+  /// Switched off and on: its clock and its counters begin anew, its settings stay.
+  void reboot();
+  enum class Window : std::uint8_t { clean = 0, dirt_warning = 1, dirt_error = 2 };
+  /// What it says of its window, in every scan and on request.
+  void set_window(Window window) { window_ = window; }
+
   /// Lives `speed` seconds in one second of the host, and from now on tells its times and rates by the host's: a
   /// scanner whose mirror turns that much faster.
   void tell_host_time(double speed) { speed_ = speed; }
@@ -90,6 +96,7 @@ class LmsEmulator {
   bool logged_in_ = false, measuring_ = true, subscribed_ = false, first_after_run_ = false;
   std::int64_t next_turn_ = 0;
   double speed_ = 1.0;
+  Window window_ = Window::clean;
   std::uint16_t telegrams_ = 0;
 };
 

@@ -45,10 +45,7 @@ void PanTiltModule::obey(const MotionMessage& message, Utime now) {
       return say({command, kError, error_, 0, 0, 0, 0});
     case kReboot:
       say_ok(command);
-      trajectory_.stand(trajectory_.angle(now), now);
-      booted_ = false;
-      boots_until_ = now + kBootTime;
-      return;
+      return reboot(now, kBootTime);
     case kChangeUser:
       return say({command, 'O', 'K', 0});
     case kToggleImpulse:

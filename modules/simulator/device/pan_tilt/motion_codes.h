@@ -40,6 +40,7 @@ enum : std::uint8_t {
   kSoftLow = 0xD5,
   kSoftHigh = 0xD6,
   kFastStopped = 0xD9,
+  kTow = 0xDA,
 };
 
 }  // namespace scanway::simulator::motion

@@ -55,6 +55,7 @@ void PanTiltModule::tick(Utime now) {
     power_up(now);
   }
   watch_limits(now);
+  if (jammed_ && activity_ != Activity::standing) fail(kTow, now);
   if (activity_ != Activity::standing && now >= trajectory_.end()) end_of_move(now);
   if (error_ != 0 && now >= error_repeats_) {
     say({kError, error_}, MotionClass::error);
@@ -76,6 +77,13 @@ void PanTiltModule::fail(std::uint8_t code, Utime now) {
   error_ = code;
   error_repeats_ = now + kErrorRepeats;
   say({kError, code}, MotionClass::error);
+}
+
+void PanTiltModule::reboot(Utime now, Utime dark) {
+  trajectory_.stand(trajectory_.angle(now), now);
+  booted_ = false;
+  boots_until_ = now + dark;
+  assembler_ = {};
 }
 
 void PanTiltModule::watch_limits(Utime now) {

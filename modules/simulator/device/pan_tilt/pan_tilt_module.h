@@ -43,6 +43,10 @@ class PanTiltModule {
   bool referenced() const { return referenced_; }
   /// Its motor goes off with this error (TOW DA, MOTOR VOLTAGE LOW 74, ...).
   void fail(std::uint8_t code, Utime now);
+  /// Whether something keeps it from turning: whenever it should, its motor goes off with the error TOW.
+  void jam(bool jammed) { jammed_ = jammed; }
+  /// Switched off and on: it is silent for `dark`.
+  void reboot(Utime now, Utime dark);
 
  private:
   enum class Activity : std::uint8_t { standing, referencing, to_position, at_speed, braking };
@@ -76,7 +80,7 @@ class PanTiltModule {
   Trajectory trajectory_;
   Activity activity_ = Activity::standing;
   double low_, high_, speed_, acceleration_;
-  bool referenced_, impulses_ = true, reached_ = false, moved_ = false;
+  bool referenced_, jammed_ = false, impulses_ = true, reached_ = false, moved_ = false;
   std::uint8_t error_ = 0, mask_ = 0;
   Utime boots_until_ = 0, error_repeats_ = 0, next_state_ = 0, state_period_ = 0;
   bool booted_ = false;

@@ -1,5 +1,6 @@
 #include "modules/simulator/device/robot/laser_in_world.h"
 
+#include <algorithm>
 #include <array>
 
 #include "common/parallel/blocks.h"
@@ -24,6 +25,14 @@ void LaserInWorld::put_robot(const Pose& X_world_base) {
   body_caster_.emplace(std::array<const Mesh*, 1>{&body_});
 }
 
+void LaserInWorld::put_people(int count) { people_ = People(world_, X_world_base_.translation(), count, seed_); }
+
+std::uint16_t LaserInWorld::biased(std::uint16_t count, double scale_m) const {
+  constexpr double kFirstRange = 16, kLastRange = 65'000;
+  if (count == 0 || range_bias_m_ == 0.0) return count;
+  return static_cast<std::uint16_t>(std::clamp(count + range_bias_m_ / scale_m, kFirstRange, kLastRange));
+}
+
 Pose LaserInWorld::X_base_laser(double pan, double tilt) const {
   Pose turned = Pose::Identity();
   turned.linear() = rotation_about_z(pan) * exp_so3(Eigen::Vector3d(0, tilt, 0));
@@ -31,7 +40,7 @@ Pose LaserInWorld::X_base_laser(double pan, double tilt) const {
 }
 
 ScannedLine LaserInWorld::look(const MirrorTurn& turn, const PanTiltModule& pan, const PanTiltModule& tilt) const {
-  const BeamModel model(robot_.laser, world_, *body_caster_);
+  const BeamModel model(robot_.laser, world_, *body_caster_, people_, window_);
   const auto beams = static_cast<std::size_t>(turn.sector.beams), thin = static_cast<std::size_t>(thin_);
   ScannedLine line{model.range_scale_m() * 1e3, std::vector<std::uint16_t>(beams), std::vector<std::uint8_t>(beams)};
   if (turn.number % thin_ != 0) return line;
@@ -41,9 +50,9 @@ ScannedLine LaserInWorld::look(const MirrorTurn& turn, const PanTiltModule& pan,
       const Utime time = turn.start + static_cast<Utime>(beam * turn.beam_period_us);
       const Pose X_world_laser = X_world_base_ * X_base_laser(pan.angle(time), tilt.angle(time));
       const double angle = radians(1) * (turn.sector.start_deg + static_cast<double>(i) * turn.step_deg - kAhead_deg);
-      const BeamReading reading =
-          model.read(X_world_laser, angle, beam_random(seed_, static_cast<int>(turn.number & 0x7FFFFFFF), beam));
-      line.ranges[i] = reading.range_count;
+      const BeamReading reading = model.read(X_world_laser, angle, static_cast<double>(time),
+                                             beam_random(seed_, static_cast<int>(turn.number & 0x7FFFFFFF), beam));
+      line.ranges[i] = biased(reading.range_count, model.range_scale_m());
       line.remissions[i] = reading.rssi_count;
     }
   });

@@ -83,6 +83,12 @@ XbusBytes TrackerEmulator::receive(std::span<const std::uint8_t> bytes, Utime no
   return answers;
 }
 
+void TrackerEmulator::reboot() {
+  state_ = State::off;
+  requests_ = {};
+  counter_ = 0;
+}
+
 XbusBytes TrackerEmulator::tick(Utime now) {
   XbusBytes bytes;
   if (state_ == State::off) {

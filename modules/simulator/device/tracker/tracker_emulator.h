@@ -36,6 +36,9 @@ class TrackerEmulator {
   /// Lives `speed` seconds in one second of the host, and from now on tells its times by the host's.
   void tell_host_time(double speed) { speed_ = speed; }
 
+  /// Switched off and on: its clock and its counter begin anew, its settings stay.
+  void reboot();
+
   bool measuring() const { return state_ == State::measuring; }
 
  private:

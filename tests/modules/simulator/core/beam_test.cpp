@@ -19,11 +19,12 @@ std::vector<double> readings_across_edge(double gap, Material material = Materia
   const RayCaster world(std::array<const Mesh*, 1>{&mesh}), nobody(std::span<const Mesh*const>{});
   Robot::Laser laser;
   laser.range_sigma_m = 0.0;
-  const BeamModel model(laser, world, nobody);
+  const People people;
+  const BeamModel model(laser, world, nobody, people);
   std::vector<double> ranges;
   for (int i = -100; i <= 100; ++i) {  // Angles in steps of 0.1 mrad; the footprint at 4 m is 19 mm wide.
     const double angle = i * 1e-4;
-    const BeamReading reading = model.read(Pose::Identity(), angle, beam_random(1, 0, i));
+    const BeamReading reading = model.read(Pose::Identity(), angle, 0.0, beam_random(1, 0, i));
     if (reading.range_count > 0) ranges.push_back(reading.range_count * model.range_scale_m());
   }
   return ranges;
@@ -57,7 +58,8 @@ TEST(Beam, RssiSaysMaterialAndIncidence) {
     const Robot::Laser laser;
     double sum = 0;
     for (int i = 0; i < 50; ++i) {
-      sum += BeamModel(laser, world, nobody).read(Pose::Identity(), angle, beam_random(1, i, 0)).rssi_count;
+      sum +=
+          BeamModel(laser, world, nobody, People()).read(Pose::Identity(), angle, 0.0, beam_random(1, i, 0)).rssi_count;
     }
     return sum / 50;
   };

@@ -131,7 +131,7 @@ TEST_F(RobotInRoom, StandsWhereItsWheelsHaveBroughtIt) {
   base.core().stop(base.now());
   ASSERT_TRUE(run_until([&] { return base.core().pose().speed_m_s == 0.0; }));
   run_until([&, settled = now() + 200'000] { return now() > settled; });
-  EXPECT_EQ(simulated.problem(), "");
+  EXPECT_EQ(simulated.obstacle(), "");
   const Pose X_before_now = X_before.inverse() * simulated.X_world_base();
   EXPECT_NEAR(X_before_now.translation().x(), base.core().pose().x_m, 0.005);
   EXPECT_NEAR(X_before_now.translation().y(), 0.0, 0.01);
