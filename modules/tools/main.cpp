@@ -189,6 +189,9 @@ void add_simulate(CLI::App& app, Action& action) {
       ->type_name("X,Y,YAW");
   sweep->add_option("--thin", sweep_options.thin, "Only every K-th line, and of it every K-th beam")
       ->check(CLI::Range(1, 64));
+  sweep->add_option("--people", sweep_options.people, "Persons who walk about near the robot while it scans")
+      ->check(CLI::Range(0, 50))
+      ->capture_default_str();
   sweep->add_option("--robot", sweep_options.robot, "Robot file (default: ERA-Mobi with its devices' sizes)");
   sweep->add_flag("--body", sweep_options.body, "Keep the points on the robot itself");
   sweep->add_option("-o,--output", sweep_options.output, "FILE.pcd, or FILE.lcm for a log")->required();
