@@ -1,171 +1,127 @@
 #include "modules/mapper/core/costmap/embodiment.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
+#include <map>
 #include <memory>
 #include <set>
 #include <utility>
-#include <vector>
 
-#include "common/math/repeatable.h"
 #include "common/parallel/blocks.h"
-#include "modules/mapper/core/costmap/distance_field.h"
-#include "modules/mapper/core/costmap/occupancy_window.h"
+#include "modules/mapper/core/costmap/tile_costs.h"
 
 namespace scanway {
 namespace {
 
-constexpr std::int32_t kSide = CostTile::kSide;
-constexpr int kPaperReach = 5;  // cells along an axis: exp(-6^2 / 2) rounds to nothing
-constexpr int kMaxReach = 250;  // cells: what a distance field of bytes can hold
-
-using Costs = std::array<std::uint32_t, CostTile::kCells>;
-
-/// exp(-(dx^2 + dy^2) / 2) in 2^-24ths, rows and columns from -kPaperReach.
-struct PaperKernel {
-  static constexpr int kRows = 2 * kPaperReach + 1;
-  static constexpr int kStride = 12;  // a row and a zero: three vectors of four
-  std::array<std::uint32_t, kRows * kStride> rows{};
-
-  PaperKernel() {
-    for (int dy = -kPaperReach; dy <= kPaperReach; ++dy) {
-      for (int dx = -kPaperReach; dx <= kPaperReach; ++dx) {
-        const double value = repeatable::exp(-0.5 * (dx * dx + dy * dy)) * kCostOne;
-        rows[static_cast<std::size_t>((dy + kPaperReach) * kStride + dx + kPaperReach)] =
-            static_cast<std::uint32_t>(std::floor(value + 0.5));
-      }
-    }
-  }
-};
-
-/// The paper's cost of a tile, from a window with kPaperReach cells around it.
-void paper_costs(const OccupancyWindow& window, const PaperKernel& kernel, Costs& costs) {
-  // Scattered into a padded square, so that no kernel row needs its ends cut.
-  constexpr int padded = kSide + 4 * kPaperReach + 1;
-  std::vector<std::uint32_t> sums(static_cast<std::size_t>(padded) * padded, 0);
-  for (int y = 0; y < window.height; ++y) {
-    for (int x = 0; x < window.width; ++x) {
-      if (window.occupied[static_cast<std::size_t>(y) * window.width + x] == 0) continue;
-      for (int r = 0; r < PaperKernel::kRows; ++r) {
-        std::uint32_t* sum = &sums[static_cast<std::size_t>(y + r) * padded + x];
-        const std::uint32_t* row = &kernel.rows[static_cast<std::size_t>(r) * PaperKernel::kStride];
-        for (int i = 0; i < PaperKernel::kStride; ++i) sum[i] += row[i];
-      }
-    }
-  }
-  for (int y = 0; y < kSide; ++y) {
-    const std::uint32_t* from = &sums[static_cast<std::size_t>(y + 2 * kPaperReach) * padded + 2 * kPaperReach];
-    std::copy(from, from + kSide, &costs[static_cast<std::size_t>(y) * kSide]);
-  }
-}
-
-/// Cost by squared distance in cells.
-std::vector<std::uint32_t> footprint_table(const Robot& robot, double resolution, int reach) {
-  const double inscribed = robot.inscribed_radius_m(), circumscribed = robot.circumscribed_radius_m();
-  std::vector<std::uint32_t> table(static_cast<std::size_t>(reach + 1) * (reach + 1) + 1, 0);
-  for (std::size_t squared = 0; squared < table.size(); ++squared) {
-    const double clearance = (std::sqrt(static_cast<double>(squared)) - std::sqrt(0.5)) * resolution;
-    const double t = (clearance - circumscribed) / (2.0 * circumscribed);
-    if (clearance < inscribed) {
-      table[squared] = kCostLethal;
-    } else if (t <= 0.0) {
-      table[squared] = kCostOne;
-    } else if (t < 1.0) {
-      table[squared] = static_cast<std::uint32_t>(std::floor((1.0 - t) * (1.0 - t) * kCostOne + 0.5));
-    }
-  }
-  return table;
-}
-
-/// A square of tiles that is computed at once; large squares spend less on what is around them.
-constexpr std::int32_t kBlock = 4;  // tiles along an edge
+constexpr std::int32_t kBlock = 4;  // tiles along the edge of a square that is computed at once
 
 std::int32_t block_of(std::int32_t tile) { return (tile >= 0 ? tile : tile - kBlock + 1) / kBlock; }
 
-/// Squares of tiles within reach of a tile that holds anything.
-std::vector<Cell> blocks_in_reach(const CostMap& map, int reach) {
-  const std::int32_t around = (reach + kSide - 1) / kSide;
-  std::set<Cell> blocks;
-  for (const auto& [tile, content] : map.tiles) {
-    for (std::int32_t y = block_of(tile.y - around); y <= block_of(tile.y + around); ++y) {
-      for (std::int32_t x = block_of(tile.x - around); x <= block_of(tile.x + around); ++x) blocks.insert({x, y});
-    }
-  }
-  return {blocks.begin(), blocks.end()};
-}
+/// Tiles of one square.
+using Block = std::vector<Cell>;
 
-using TileCosts = std::vector<std::pair<Cell, std::unique_ptr<Costs>>>;
-
-TileCosts paper_block(const CostMap& map, Cell block, const PaperKernel& kernel) {
-  TileCosts result;
-  for (std::int32_t i = 0; i < kBlock * kBlock; ++i) {
-    const Cell tile{block.x * kBlock + i % kBlock, block.y * kBlock + i / kBlock};
-    const Cell corner{tile.x * kSide - kPaperReach, tile.y * kSide - kPaperReach};
-    const int width = kSide + 2 * kPaperReach;
-    const OccupancyWindow window = OccupancyWindow::of(map, corner, width, width);
-    if (!window.any) continue;
-    result.emplace_back(tile, std::make_unique<Costs>());
-    paper_costs(window, kernel, *result.back().second);
-  }
-  return result;
-}
-
-TileCosts footprint_block(const CostMap& map, Cell block, const std::vector<std::uint32_t>& table, int reach) {
-  TileCosts result;
-  const Cell corner{block.x * kBlock * kSide - reach, block.y * kBlock * kSide - reach};
-  const int width = kBlock * kSide + 2 * reach;
-  const OccupancyWindow window = OccupancyWindow::of(map, corner, width, width);
-  if (!window.any) return result;
-  const std::vector<std::uint32_t> squared = squared_distances(window, reach);
-  for (std::int32_t i = 0; i < kBlock * kBlock; ++i) {
-    const std::int32_t column = i % kBlock, row = i / kBlock;
-    auto costs = std::make_unique<Costs>();
-    for (int y = 0; y < kSide; ++y) {
-      const std::uint32_t* from = &squared[static_cast<std::size_t>(reach + row * kSide + y) * width + reach +
-                                           static_cast<std::size_t>(column) * kSide];
-      for (int x = 0; x < kSide; ++x) (*costs)[static_cast<std::size_t>(y) * kSide + x] = table[from[x]];
-    }
-    result.emplace_back(Cell{block.x * kBlock + column, block.y * kBlock + row}, std::move(costs));
-  }
-  return result;
-}
-
-void write_costs(CostMap& map, std::vector<TileCosts>& blocks) {
-  for (auto& [index, tile] : map.tiles) tile.cost.fill(0);
-  const auto is_zero = [](std::uint32_t cost) { return cost == 0; };
-  for (TileCosts& block : blocks) {
-    for (auto& [index, costs] : block) {
-      const auto known = map.tiles.find(index);
-      if (known != map.tiles.end()) {
-        known->second.cost = *costs;
-      } else if (!std::all_of(costs->begin(), costs->end(), is_zero)) {
-        map.tiles[index].cost = *costs;
+/// The tiles within reach of the touched ones, by squares.
+std::vector<Block> blocks_in_reach(const std::vector<Cell>& touched, int reach) {
+  const std::int32_t around = (reach + CostTile::kSide - 1) / CostTile::kSide;
+  std::map<Cell, std::set<Cell>> by_block;
+  for (const Cell& tile : touched) {
+    for (std::int32_t y = tile.y - around; y <= tile.y + around; ++y) {
+      for (std::int32_t x = tile.x - around; x <= tile.x + around; ++x) {
+        by_block[{block_of(x), block_of(y)}].insert({x, y});
       }
     }
   }
-  std::erase_if(map.tiles, [&](const auto& entry) {
-    const auto is_unknown = [](CellState state) { return state == CellState::unknown; };
-    const CostTile& tile = entry.second;
-    return std::all_of(tile.state.begin(), tile.state.end(), is_unknown) &&
-           std::all_of(tile.cost.begin(), tile.cost.end(), is_zero);
+  std::vector<Block> blocks;
+  for (const auto& [index, tiles] : by_block) blocks.emplace_back(tiles.begin(), tiles.end());
+  return blocks;
+}
+
+/// What one square's tiles became.
+struct BlockResult {
+  std::vector<Cell> changed;
+  std::vector<std::pair<Cell, std::unique_ptr<TileCosts>>> made;  ///< Costs where there is no tile yet.
+};
+
+/// `costs` null: nothing costs. Touches no other tile, so that squares may be done side by side.
+void write(CostMap& map, Cell index, const TileCosts* costs, BlockResult& result) {
+  static const TileCosts kNone{};
+  const auto known = map.tiles.find(index);
+  const TileCosts& now = costs != nullptr ? *costs : kNone;
+  if (known == map.tiles.end()) {
+    if (now != kNone) result.made.emplace_back(index, std::make_unique<TileCosts>(now));
+  } else if (known->second.cost != now) {
+    known->second.cost = now;
+    result.changed.push_back(index);
+  }
+}
+
+BlockResult embody_block(CostMap& map, const Block& block, const PaperCosts& paper) {
+  BlockResult result;
+  const auto costs = std::make_unique_for_overwrite<TileCosts>();
+  for (const Cell& tile : block) write(map, tile, paper.of_tile(map, tile, *costs) ? costs.get() : nullptr, result);
+  return result;
+}
+
+BlockResult embody_block(CostMap& map, const Block& block, const FootprintCosts& footprint) {
+  Cell first = block.front(), last = block.front();
+  for (const Cell& tile : block) {
+    first = {std::min(first.x, tile.x), std::min(first.y, tile.y)};
+    last = {std::max(last.x, tile.x), std::max(last.y, tile.y)};
+  }
+  BlockResult result;
+  const std::vector<FootprintCosts::Tile> tiles = footprint.of_tiles(map, first, last);
+  for (const Cell& index : block) {
+    const auto at = std::find_if(tiles.begin(), tiles.end(), [&](const auto& tile) { return tile.index == index; });
+    write(map, index, at != tiles.end() ? &at->costs : nullptr, result);
+  }
+  return result;
+}
+
+template <class Costs>
+std::vector<BlockResult> embody_blocks(CostMap& map, const std::vector<Block>& blocks, const Costs& costs) {
+  std::vector<BlockResult> results(blocks.size());
+  for_blocks(blocks.size(), 1, [&](std::size_t begin, std::size_t, std::size_t) {
+    results[begin] = embody_block(map, blocks[begin], costs);
   });
+  return results;
+}
+
+void remove_if_empty(CostMap& map, Cell index) {
+  const auto tile = map.tiles.find(index);
+  if (tile == map.tiles.end()) return;
+  const auto is_unknown = [](CellState state) { return state == CellState::unknown; };
+  const auto is_zero = [](std::uint32_t cost) { return cost == 0; };
+  const auto& [states, costs] = tile->second;
+  if (std::all_of(states.begin(), states.end(), is_unknown) && std::all_of(costs.begin(), costs.end(), is_zero)) {
+    map.tiles.erase(tile);
+  }
 }
 
 }  // namespace
 
+std::vector<Cell> embody(CostMap& map, const Robot& robot, Embodiment embodiment, const std::vector<Cell>& touched) {
+  std::vector<BlockResult> results;
+  if (embodiment == Embodiment::paper) {
+    results = embody_blocks(map, blocks_in_reach(touched, PaperCosts::kReach), PaperCosts());
+  } else {
+    const FootprintCosts footprint(robot, map.resolution_m);
+    results = embody_blocks(map, blocks_in_reach(touched, footprint.reach()), footprint);
+  }
+  std::set<Cell> changed(touched.begin(), touched.end());
+  for (const BlockResult& result : results) {
+    for (const auto& [index, costs] : result.made) {
+      map.tiles[index].cost = *costs;
+      changed.insert(index);
+    }
+    changed.insert(result.changed.begin(), result.changed.end());
+  }
+  for (const Cell& index : changed) remove_if_empty(map, index);
+  return {changed.begin(), changed.end()};
+}
+
 void embody(CostMap& map, const Robot& robot, Embodiment embodiment) {
-  const bool paper = embodiment == Embodiment::paper;
-  const double dear = 3.0 * robot.circumscribed_radius_m() / map.resolution_m + 1.0;
-  const int reach = paper ? kPaperReach : std::clamp(static_cast<int>(std::ceil(dear)), 1, kMaxReach);
-  const std::vector<Cell> blocks = blocks_in_reach(map, reach);
-  std::vector<TileCosts> costs(blocks.size());
-  const PaperKernel kernel;
-  const std::vector<std::uint32_t> table = footprint_table(robot, map.resolution_m, reach);
-  for_blocks(blocks.size(), 1, [&](std::size_t begin, std::size_t, std::size_t) {
-    costs[begin] = paper ? paper_block(map, blocks[begin], kernel) : footprint_block(map, blocks[begin], table, reach);
-  });
-  write_costs(map, costs);
+  std::vector<Cell> all;
+  for (const auto& [index, tile] : map.tiles) all.push_back(index);
+  embody(map, robot, embodiment, all);
 }
 
 }  // namespace scanway

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "common/grid/cost_map.h"
 #include "common/robot/robot.h"
 
@@ -22,5 +24,11 @@ namespace scanway {
 ///
 /// Tiles in which nothing is known and nothing costs are removed; tiles that gain a cost are made.
 void embody(CostMap& map, const Robot& robot, Embodiment embodiment);
+
+/// The same, where the map was embodied before and since then only states within the tiles `touched` have changed: only
+/// what they reach is computed, and the map is the one that the function above makes. Returns every tile that may
+/// differ from before: those touched, and those whose costs changed, tiles that were made or removed included; in
+/// order.
+std::vector<Cell> embody(CostMap& map, const Robot& robot, Embodiment embodiment, const std::vector<Cell>& touched);
 
 }  // namespace scanway

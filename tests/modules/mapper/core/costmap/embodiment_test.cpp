@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <set>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -113,6 +114,46 @@ TEST(Embodiment, LeavesNoTraceOfObstaclesThatWent) {
     embody(with, robot, mode);
     embody(without, robot, mode);
     EXPECT_EQ(with.tiles, without.tiles);
+  }
+}
+
+/// Cells of some tiles become occupied, free or unknown; the tiles.
+std::vector<Cell> change_somewhere(CostMap& map, Random& random) {
+  std::vector<Cell> touched;
+  for (std::uint64_t i = random.below(3) + 1; i > 0; --i) {
+    const Cell tile{static_cast<std::int32_t>(random.below(9)) - 4, static_cast<std::int32_t>(random.below(9)) - 4};
+    const bool clear = random.below(3) == 0;
+    for (int k = 0; k < (clear ? CostTile::kSide * CostTile::kSide : 40); ++k) {
+      const Cell cell{tile.x * CostTile::kSide + (clear ? k % CostTile::kSide : std::int32_t(random.below(128))),
+                      tile.y * CostTile::kSide + (clear ? k / CostTile::kSide : std::int32_t(random.below(128)))};
+      map.set_state(cell, clear ? CellState::unknown : static_cast<CellState>(random.below(3)));
+    }
+    touched.push_back(tile);
+  }
+  return touched;
+}
+
+TEST(Embodiment, WhereAChangeReachesIsTheSameAsAnew) {
+  for (const Embodiment mode : {Embodiment::paper, Embodiment::footprint}) {
+    CostMap map = scattered(80, 400, 11);
+    embody(map, Robot{}, mode);
+    Random random(17);
+    for (int round = 0; round < 15; ++round) {
+      const CostMap before = map;
+      const std::vector<Cell> touched = change_somewhere(map, random);
+      CostMap anew = map;
+      const std::vector<Cell> changed = embody(map, Robot{}, mode, touched);
+      embody(anew, Robot{}, mode);
+      ASSERT_TRUE(map.tiles == anew.tiles) << "round " << round;
+      const std::set<Cell> told(changed.begin(), changed.end());
+      for (const auto& [index, tile] : map.tiles) {
+        const auto old = before.tiles.find(index);
+        EXPECT_TRUE(told.contains(index) || (old != before.tiles.end() && old->second == tile));
+      }
+      for (const auto& [index, tile] : before.tiles) {
+        EXPECT_TRUE(told.contains(index) || map.tiles.contains(index));
+      }
+    }
   }
 }
 
