@@ -1,9 +1,14 @@
 #include "common/grid/map_file.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include "common/config/nearest_key.h"
 #include "common/config/units.h"
 #include "common/config/yaml_document.h"
 #include "common/config/yaml_reader.h"
@@ -41,6 +46,19 @@ void require_keys(const YAML::Node& mapping, const std::string& path) {
   }
 }
 
+/// A slip in a key must not go unseen: its value would be the default.
+void refuse_slips(const YAML::Node& mapping, const std::string& path) {
+  const std::vector<std::string> known = {"image", "resolution",      "origin",     "negate",
+                                          "mode",  "occupied_thresh", "free_thresh"};
+  for (const auto& entry : mapping) {
+    const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "";
+    const std::string meant = nearest_key(key, known);
+    if (meant.empty() || std::ranges::find(known, key) != known.end()) continue;
+    fail(path, "unknown key " + printable(key) + " (line " + std::to_string(line_of(entry.first)) + "): did you mean " +
+                   meant + "?");
+  }
+}
+
 bool truth_of(const YAML::Node& node, const std::string& path) {
   const std::string text = node.IsScalar() ? node.Scalar() : "";
   if (text == "1" || text == "true") return true;
@@ -57,6 +75,7 @@ void check(const MapDescription& description, const std::string& path) {
 
 MapDescription read_description(const std::string& path) {
   const YAML::Node mapping = yaml_mapping(read_file(path), path);
+  refuse_slips(mapping, path);
   require_keys(mapping, path);
   YamlReader reader(mapping, path);
   MapDescription description;
@@ -130,7 +149,9 @@ std::string yaml_of(const CostMap& map, Cell corner, const std::string& image) {
 
 }  // namespace
 
-CostMap read_map(const std::string& path) {
+CostMap read_map(const std::string& path) { return read_pictured_map(path).map; }
+
+PicturedMap read_pictured_map(const std::string& path) {
   const MapDescription description = read_description(path);
   // An absolute image path stays as it is.
   const std::string image = (std::filesystem::path(path).parent_path() / description.image).string();
@@ -143,7 +164,7 @@ CostMap read_map(const std::string& path) {
       if (!fill(tile->second, {x, y}, picture, states)) map.tiles.erase(tile);
     }
   }
-  return map;
+  return {std::move(map), {{0, 0}, {picture.width, picture.height}}};
 }
 
 void write_map(const CostMap& map, const std::string& path) {

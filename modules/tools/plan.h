@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -12,6 +13,8 @@ struct PlanOptions {
   std::pair<double, double> goal_m;
   std::string mode = "footprint";  ///< point, paper or footprint.
   std::string unknown = "never";   ///< never, price or free.
+  std::optional<bool> smooth;      ///< Nothing: in mode footprint.
+  bool explain = false;            ///< Say what is in the way; then a start or goal in an obstacle is an answer too.
   std::string output;              ///< Folder for path.csv and path.png; empty: none.
   bool json = false;
 };

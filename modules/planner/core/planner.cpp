@@ -27,38 +27,6 @@ CellRectangle extent_of(const CostMap& map) {
           {(all.high.x + 1) * CostTile::kSide, (all.high.y + 1) * CostTile::kSide}};
 }
 
-const char* words_of(PlanStatus status) {
-  switch (status) {
-    case PlanStatus::ok:
-      return "ok";
-    case PlanStatus::no_map:
-      return "no map";
-    case PlanStatus::start_off_map:
-      return "start off the map";
-    case PlanStatus::goal_off_map:
-      return "goal off the map";
-    case PlanStatus::start_in_obstacle:
-      return "start in an obstacle";
-    case PlanStatus::goal_in_obstacle:
-      return "goal in an obstacle";
-    case PlanStatus::start_unknown:
-      return "start unknown";
-    case PlanStatus::goal_unknown:
-      return "goal unknown";
-    case PlanStatus::start_too_tight:
-      return "start too tight for this body";
-    case PlanStatus::goal_too_tight:
-      return "goal too tight for this body";
-    case PlanStatus::walled_in:
-      return "walled in";
-    case PlanStatus::only_through_unknown:
-      return "only through unknown";
-    case PlanStatus::too_narrow:
-      return "too narrow for this body";
-  }
-  return "";
-}
-
 }  // namespace
 
 Planner::Planner(const Robot& robot, BodyMode mode, std::optional<PathForm> form)
@@ -103,13 +71,6 @@ std::optional<Cell> Planner::cell_at(const Eigen::Vector2d& point_m) const {
   return Cell{static_cast<std::int32_t>(std::floor(at.x())), static_cast<std::int32_t>(std::floor(at.y()))};
 }
 
-bool Planner::has_room(Cell cell) {
-  const std::uint32_t index = terrain_->frame().index(cell);
-  const Terrain::Class what = Terrain::class_of(terrain_->field(index));
-  if (what == Terrain::Class::tight) return terrain_->headings(terrain_->slot(index)) != 0;
-  return what == Terrain::Class::roomy;
-}
-
 PlanStatus Planner::check(std::optional<Cell> start, std::optional<Cell> goal) {
   if (!start) return PlanStatus::start_off_map;
   if (!goal) return PlanStatus::goal_off_map;
@@ -117,12 +78,12 @@ PlanStatus Planner::check(std::optional<Cell> start, std::optional<Cell> goal) {
   if (terrain_->is_occupied(*goal)) return PlanStatus::goal_in_obstacle;
   if (terrain_->blocks(*start)) return PlanStatus::start_unknown;
   if (terrain_->blocks(*goal)) return PlanStatus::goal_unknown;
-  if (!has_room(*start)) return PlanStatus::start_too_tight;
-  if (!has_room(*goal)) return PlanStatus::goal_too_tight;
+  if (!has_room(*terrain_, *start)) return PlanStatus::start_too_tight;
+  if (!has_room(*terrain_, *goal)) return PlanStatus::goal_too_tight;
   return PlanStatus::ok;
 }
 
-void Planner::explain(PlanResult& result, Cell start, Cell goal) const {
+void Planner::name_obstruction(PlanResult& result, Cell start, Cell goal) const {
   const Obstruction why = find_obstruction(*terrain_, start, goal);
   if (why.kind == Obstruction::Kind::walled_in) result.status = PlanStatus::walled_in;
   if (why.kind == Obstruction::Kind::only_through_unknown) result.status = PlanStatus::only_through_unknown;
@@ -172,11 +133,24 @@ PlanResult Planner::plan(const Eigen::Vector2d& start_m, const Eigen::Vector2d& 
       result.cost = route->cost_cells * resolution_m_;
       trace(*route, result);
     } else {
-      explain(result, *start, *goal);
+      name_obstruction(result, *start, *goal);
     }
   }
   if (result.reason.empty() || result.status != PlanStatus::too_narrow) result.reason = words_of(result.status);
   return result;
+}
+
+Explanation Planner::explain(const PlanResult& result, const Eigen::Vector2d& start_m, const Eigen::Vector2d& goal_m) {
+  if (result.status == PlanStatus::no_map) return {.text = "the map has no known cell"};
+  if (result.status != PlanStatus::ok) {
+    const Question question = {start_m, goal_m, cell_at(start_m), cell_at(goal_m)};
+    return planning::explain(*terrain_, {resolution_m_, origin_m_}, result.status, question);
+  }
+  if (!std::isfinite(result.clearance_m)) return {.text = "there is a path, and no obstacle anywhere"};
+  Explanation why{.text = {}, .at_m = result.clearance_at_m, .blocked_m = result.clearance_m};
+  why.text = fmt::format("there is a path; it comes nearest to an obstacle at ({:.2f}, {:.2f}): {:.2f} m",
+                         why.at_m->x(), why.at_m->y(), *why.blocked_m);
+  return why;
 }
 
 }  // namespace scanway::planning

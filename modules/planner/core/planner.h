@@ -12,6 +12,8 @@
 #include "common/grid/cost_map.h"
 #include "common/robot/robot.h"
 #include "modules/planner/core/body/terrain.h"
+#include "modules/planner/core/explain/explanation.h"
+#include "modules/planner/core/explain/plan_status.h"
 #include "modules/planner/core/path/path_pose.h"
 #include "modules/planner/core/search/route_finder.h"
 
@@ -21,22 +23,6 @@ namespace scanway::planning {
 enum class PathForm {
   cells,   ///< From cell to cell, as the search found it.
   smooth,  ///< Straightened and its corners rounded; never dearer, and as clear as the body needs.
-};
-
-enum class PlanStatus {
-  ok,
-  no_map,         ///< There is no known cell yet.
-  start_off_map,  ///< Also for a start that is no finite number; so is the goal.
-  goal_off_map,
-  start_in_obstacle,
-  goal_in_obstacle,
-  start_unknown,  ///< Under `never`.
-  goal_unknown,
-  start_too_tight,  ///< The start is free, but the body does not fit there at any heading.
-  goal_too_tight,
-  walled_in,             ///< Obstacles part the start from the goal.
-  only_through_unknown,  ///< Every way leads through unknown cells, and the policy is `never`.
-  too_narrow,            ///< There is a way, but not for this body.
 };
 
 /// A path, or why there is none.
@@ -74,13 +60,14 @@ class Planner {
   void update(const CostMap& map, const std::vector<Cell>& tiles);
   /// Start and goal in metres in `map`.
   PlanResult plan(const Eigen::Vector2d& start_m, const Eigen::Vector2d& goal_m);
+  /// Why such a plan came out as it did, with what is in its way. Takes longer than the plan.
+  Explanation explain(const PlanResult& result, const Eigen::Vector2d& start_m, const Eigen::Vector2d& goal_m);
 
  private:
   void rebuild(const CostMap& map);
   std::optional<Cell> cell_at(const Eigen::Vector2d& point_m) const;
   PlanStatus check(std::optional<Cell> start, std::optional<Cell> goal);
-  bool has_room(Cell cell);
-  void explain(PlanResult& result, Cell start, Cell goal) const;
+  void name_obstruction(PlanResult& result, Cell start, Cell goal) const;
   void trace(const Route& route, PlanResult& result);
 
   Robot robot_;

@@ -167,6 +167,8 @@ TEST_F(MapFile, FaultsInTheYamlAreOneClearLine) {
       {"negate: 0", "mode: raw", "mode (line 4) must be trinary, not 'raw'"},
       {"image: m.pgm", "image: [", "YAML"},
       {"m.pgm", "other.pgm", "other.pgm"},
+      {"free_thresh", "free_tresh", "unknown key free_tresh (line 6): did you mean free_thresh?"},
+      {"negate: 0", "Negate: 0", "did you mean negate?"},
       {"image: m.pgm", "image: m.pgm\nimage: m.pgm", "image (line 2) stands twice"},
       {"image: m.pgm", "image: \xff", "UTF-8"},
   };
@@ -177,6 +179,10 @@ TEST_F(MapFile, FaultsInTheYamlAreOneClearLine) {
     EXPECT_THAT(error, HasSubstr(fault.message)) << yaml;
     EXPECT_EQ(error.find('\n'), error.npos);
   }
+}
+
+TEST_F(MapFile, KeysOfOtherProgramsAreLeftAside) {
+  EXPECT_EQ(error_of(std::string(kYaml) + "author: somebody\nrobot_radius_px: 3\n", kPgm), "no error");
 }
 
 TEST_F(MapFile, FaultsInThePictureAreOneClearLine) {

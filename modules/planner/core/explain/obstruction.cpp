@@ -6,59 +6,22 @@
 #include <tuple>
 #include <vector>
 
+#include "modules/planner/core/explain/area.h"
+
 namespace scanway::planning {
 namespace {
 
 /// Squared distances in cells; large enough for every map, small enough to be added to.
 constexpr std::int64_t kFar = std::int64_t{1} << 40;
 
-/// The cells of the terrain's bounds, row by row.
-class Area {
- public:
-  explicit Area(const CellRectangle& bounds) : bounds_(bounds) {}
-  std::size_t size() const { return static_cast<std::size_t>(bounds_.width() * bounds_.height()); }
-  std::size_t index(Cell cell) const {
-    return static_cast<std::size_t>((cell.y - bounds_.low.y) * bounds_.width() + (cell.x - bounds_.low.x));
-  }
-  Cell cell(std::size_t index) const {
-    const auto width = static_cast<std::size_t>(bounds_.width());
-    return {bounds_.low.x + static_cast<std::int32_t>(index % width),
-            bounds_.low.y + static_cast<std::int32_t>(index / width)};
-  }
-  bool contains(Cell cell) const { return bounds_.contains(cell); }
-  const CellRectangle& bounds() const { return bounds_; }
-
- private:
-  CellRectangle bounds_;
-};
-
-/// The neighbour at `step`, if the step crosses no corner of a cell that `blocks`.
-template <class Blocks>
-std::optional<Cell> step_from(Cell cell, int step, const Blocks& blocks) {
-  const auto at = static_cast<std::size_t>(step);
-  const Cell next = {cell.x + kStepX[at], cell.y + kStepY[at]};
-  if (blocks(next)) return std::nullopt;
-  if ((step & 1) != 0 && (blocks({next.x, cell.y}) || blocks({cell.x, next.y}))) return std::nullopt;
-  return next;
-}
-
 template <class Blocks>
 bool reaches(const Area& area, Cell start, Cell goal, const Blocks& blocks) {
-  std::vector<bool> seen(area.size());
-  std::vector<Cell> stack = {start};
-  seen[area.index(start)] = true;
-  while (!stack.empty()) {
-    const Cell cell = stack.back();
-    stack.pop_back();
-    if (cell == goal) return true;
-    for (int step = 0; step < kSteps; ++step) {
-      const auto next = step_from(cell, step, blocks);
-      if (!next || seen[area.index(*next)]) continue;
-      seen[area.index(*next)] = true;
-      stack.push_back(*next);
-    }
-  }
-  return false;
+  bool reached = false;
+  for_reached(area, start, blocks, [&](Cell cell) {
+    reached = reached || cell == goal;
+    return !reached;
+  });
+  return reached;
 }
 
 /// One dimension of the distance transform: out[i] = min over j of (i - j)^2 + in[j] (Felzenszwalb and Huttenlocher,

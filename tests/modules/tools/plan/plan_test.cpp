@@ -74,8 +74,13 @@ TEST_F(PlanTool, AnswersInTheKeysThatAreFixed) {
     PlanOptions o = options();
     o.mode = mode;
     const nlohmann::json json = answer(o);
-    EXPECT_EQ(json.size(), 8u);
+    EXPECT_EQ(json.size(), 14u);
     EXPECT_EQ(json.at("status"), "ok") << mode;
+    EXPECT_EQ(json.at("unknown"), "never");
+    EXPECT_GE(json.at("worst_cost"), 1.0);
+    EXPECT_EQ(json.at("time_s").size(), json.at("path").size());
+    EXPECT_EQ(json.at("speed_m_s").size(), json.at("path").size());
+    EXPECT_EQ(json.at("duration_s"), json.at("time_s").back());
     EXPECT_NEAR(json.at("length_m"), 2.3, 0.5);
     EXPECT_GE(json.at("cost"), json.at("length_m").get<double>() - 1e-9);
     EXPECT_GT(json.at("clearance_m"), 0.0);
@@ -109,9 +114,59 @@ TEST_F(PlanTool, AnUnknownGoalIsAnAnswerWithinTheWholePicture) {
   EXPECT_EQ(answer(o).at("status"), "goal unknown");
   o.unknown = "free";
   o.mode = "point";
+  EXPECT_EQ(answer(o).at("unknown"), "free");
   const nlohmann::json json = answer(o);
   EXPECT_EQ(json.at("status"), "ok");
   EXPECT_GT(json.at("unknown_share"), 0.0);
+}
+
+TEST_F(PlanTool, ASmoothPathIsNoLongerAndCostsTheSame) {
+  write_room(14);
+  for (const char* mode : {"point", "paper", "footprint"}) {
+    PlanOptions o = options();
+    o.mode = mode;
+    o.start_m = {-0.6, -0.4};
+    const nlohmann::json usual = answer(o);
+    o.smooth = false;
+    const nlohmann::json cells = answer(o);
+    o.smooth = true;
+    const nlohmann::json smooth = answer(o);
+    EXPECT_EQ(smooth.at("cost"), cells.at("cost"));
+    EXPECT_LT(smooth.at("path").size(), cells.at("path").size());
+    EXPECT_LE(smooth.at("length_m"), cells.at("length_m").get<double>() + (std::string(mode) == "point" ? -0.01 : 0.3));
+    EXPECT_EQ(usual.at("path"), std::string(mode) == "footprint" ? smooth.at("path") : cells.at("path")) << mode;
+  }
+}
+
+TEST_F(PlanTool, ExplainsWhatIsInTheWay) {
+  const auto explained = [&](const PlanOptions& o) { return answer(o).at("explanation"); };
+  PlanOptions o = options();
+  o.explain = true;
+  write_room(14);
+  EXPECT_NE(explained(o).at("text").get<std::string>().find("there is a path"), std::string::npos);
+  o.goal_m = {1.02, 0.9};
+  EXPECT_EQ(answer(o).at("status"), "goal in an obstacle");
+  EXPECT_NE(explained(o).at("text").get<std::string>().find("in an obstacle"), std::string::npos);
+  EXPECT_NEAR(explained(o).at("near_m")[1], 0.9, 0.3);
+  o.goal_m = {0.0, -0.97};
+  EXPECT_NE(explained(o).at("text").get<std::string>().find("nobody has seen the goal"), std::string::npos);
+  o.goal_m = {0.93, 0.63};
+  const nlohmann::json tight = explained(o);
+  EXPECT_NEAR(tight.at("blocked_m"), 0.075, 0.03);
+  EXPECT_NEAR(tight.at("needed_m"), 0.2, 1e-9);
+  o = options();
+  o.explain = true;
+  write_room(7);
+  const nlohmann::json narrow = explained(o);
+  EXPECT_NEAR(narrow.at("width_m"), 0.35, 1e-9);
+  EXPECT_NEAR(narrow.at("needed_m"), 0.40, 1e-9);
+  EXPECT_NEAR(narrow.at("turning_m"), 2.0 * std::hypot(0.2, 0.205), 1e-9);
+  EXPECT_NEAR(narrow.at("at_m")[0], 1.05, 0.06);
+  EXPECT_NEAR(narrow.at("at_m")[1], 0.175, 0.06);
+  write_room(0);
+  const nlohmann::json walled = explained(o);
+  EXPECT_NEAR(walled.at("reached_m2"), 2.0 * 2.0 + 0.0, 0.01);
+  EXPECT_NEAR(walled.at("near_m")[0], 0.975, 1e-6);
 }
 
 TEST_F(PlanTool, WritesPathAndPicture) {
@@ -120,7 +175,7 @@ TEST_F(PlanTool, WritesPathAndPicture) {
   o.output = folder / "out";
   const nlohmann::json json = answer(o);
   const std::string csv = read_text(folder / "out/path.csv");
-  EXPECT_EQ(csv.substr(0, csv.find('\n')), "x_m,y_m,heading_rad");
+  EXPECT_EQ(csv.substr(0, csv.find('\n')), "x_m,y_m,heading_rad,time_s,speed_m_s");
   EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')), json.at("path").size() + 1);
   EXPECT_EQ(read_text(folder / "out/path.png").substr(1, 3), "PNG");
 }
