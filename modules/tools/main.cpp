@@ -108,6 +108,9 @@ void add_plan(CLI::App& app, Action& action) {
   command->add_option("--unknown", options.unknown, "What may be done with unknown cells")
       ->check(CLI::IsMember({"never", "price", "free"}))
       ->capture_default_str();
+  command->add_flag("--smooth,!--no-smooth", options.smooth,
+                    "Straighten the path and round its corners (default: in mode footprint)");
+  command->add_flag("--explain", options.explain, "Say what is in the way, and where");
   command->add_option("--robot", options.robot, "Robot file (default: ERA-Mobi)");
   command->add_option("-o,--output", options.output, "Folder for path.csv and path.png");
   command->add_flag("--json", options.json, "One JSON document on stdout");
