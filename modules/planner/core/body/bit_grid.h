@@ -2,32 +2,11 @@
 
 #include <cstdint>
 
-#include "common/grid/cost_map.h"
+#include "modules/planner/core/body/frame.h"
 #include "modules/planner/core/body/lazy_array.h"
 #include "modules/planner/core/body/spans.h"
 
 namespace scanway::planning {
-
-/// A rectangle of cells in memory: index = row * width + column. Its corner and its sides are multiples of 64.
-struct Frame {
-  Cell low;
-  std::int32_t width = 0;
-  std::int32_t height = 0;
-
-  std::size_t cells() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
-  bool contains(Cell cell) const {
-    return cell.x >= low.x && cell.y >= low.y && cell.x - low.x < width && cell.y - low.y < height;
-  }
-  std::uint32_t index(Cell cell) const {
-    return static_cast<std::uint32_t>(cell.y - low.y) * static_cast<std::uint32_t>(width) +
-           static_cast<std::uint32_t>(cell.x - low.x);
-  }
-  Cell cell(std::uint32_t index) const {
-    const auto row = static_cast<std::uint32_t>((index + 0.5) / width);
-    return {low.x + static_cast<std::int32_t>(index - row * static_cast<std::uint32_t>(width)),
-            low.y + static_cast<std::int32_t>(row)};
-  }
-};
 
 /// One bit a cell, 64 of a row to a word.
 class BitGrid {

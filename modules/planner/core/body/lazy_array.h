@@ -24,7 +24,6 @@ class LazyArray {
     void* const fresh =
         ::mmap(nullptr, size_ * sizeof(T), PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     if (fresh == MAP_FAILED) throw std::bad_alloc();
-    ::madvise(fresh, size_ * sizeof(T), MADV_HUGEPAGE);
     data_ = std::unique_ptr<T, Free>(static_cast<T*>(fresh), Free{size_ * sizeof(T)});
   }
 

@@ -8,7 +8,7 @@
 namespace scanway::planning {
 namespace {
 
-constexpr std::int32_t kBlock = 64;
+constexpr std::int32_t kBlock = Frame::kBlock;
 /// Tiles around the map that may still appear before the frame must be made anew. What is never touched costs no
 /// memory.
 constexpr std::int64_t kMostGrowth = 8;
@@ -22,14 +22,12 @@ std::int32_t round_down(std::int32_t x, std::int32_t step) {
 Frame frame_around(const CellRectangle& bounds, std::int32_t reach) {
   const auto growth = std::min(kMostGrowth, 1 + std::max(bounds.width(), bounds.height()) / CostTile::kSide);
   const std::int32_t margin = (static_cast<std::int32_t>(growth) + reach / CostTile::kSide + 1) * CostTile::kSide;
-  Frame frame;
-  frame.low = {round_down(bounds.low.x, CostTile::kSide) - margin, round_down(bounds.low.y, CostTile::kSide) - margin};
-  const std::int64_t width = round_down(bounds.high.x - 1, CostTile::kSide) + CostTile::kSide + margin - frame.low.x;
-  const std::int64_t height = round_down(bounds.high.y - 1, CostTile::kSide) + CostTile::kSide + margin - frame.low.y;
+  const Cell low = {round_down(bounds.low.x, CostTile::kSide) - margin,
+                    round_down(bounds.low.y, CostTile::kSide) - margin};
+  const std::int64_t width = round_down(bounds.high.x - 1, CostTile::kSide) + CostTile::kSide + margin - low.x;
+  const std::int64_t height = round_down(bounds.high.y - 1, CostTile::kSide) + CostTile::kSide + margin - low.y;
   if (width * height > std::int64_t{3} << 30) throw std::length_error("the map is too large to plan on");
-  frame.width = static_cast<std::int32_t>(width);
-  frame.height = static_cast<std::int32_t>(height);
-  return frame;
+  return {low, static_cast<std::int32_t>(width), static_cast<std::int32_t>(height)};
 }
 
 /// Two discs of this radius about neighbouring cells cover the body's circle all the way between them.
@@ -110,8 +108,7 @@ void Terrain::load_word(const CellState* states, const std::uint32_t* costs, std
                         Changes& changes) {
   std::uint64_t occupied = 0;
   std::uint64_t free = 0;
-  const std::uint32_t first =
-      static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(frame_.width) + static_cast<std::uint32_t>(x);
+  const std::uint32_t first = frame_.index_of_offset({x, y});
   for (std::uint32_t i = 0; i < 64; ++i) {
     occupied |= std::uint64_t{states[i] == CellState::occupied} << i;
     free |= std::uint64_t{states[i] == CellState::free} << i;
@@ -133,28 +130,21 @@ void Terrain::load_word(const CellState* states, const std::uint32_t* costs, std
   blocked_.set_word(y, x / 64, blocked);
 }
 
-std::uint32_t Terrain::first_of_block(std::uint32_t index) const {
-  const auto width = static_cast<std::uint32_t>(frame_.width);
-  return index / width / kBlock * kBlock * width + index % width / kBlock * kBlock;
-}
-
 std::uint16_t Terrain::ask(std::uint32_t index) {
-  asked_.push_back(first_of_block(index));
+  asked_.push_back(index & ~(Frame::kBlockCells - 1));
   name_block(asked_.back());
   return cells_[index].field();
 }
 
 void Terrain::name_block(std::uint32_t first) {
-  const auto width = static_cast<std::uint32_t>(frame_.width);
-  const auto row = static_cast<std::int32_t>(first / width);
-  const auto column = static_cast<std::int32_t>(first % width / kBlock);
+  const Cell low = frame_.offset_of(first);
   Block blocked;
   Block roomy;
-  classify(row, column, blocked, roomy);
+  classify(low.y, low.x / kBlock, blocked, roomy);
   for (std::uint32_t y = 0; y < kBlock; ++y) {
-    const std::int32_t line = row + static_cast<std::int32_t>(y);
-    const std::uint64_t seen = occupied_.word(line, column) | free_.word(line, column);
-    CellWord* words = &cells_[first + y * width];
+    const std::int32_t line = low.y + static_cast<std::int32_t>(y);
+    const std::uint64_t seen = occupied_.word(line, low.x / kBlock) | free_.word(line, low.x / kBlock);
+    CellWord* words = &cells_[first + y * kBlock];
     for (std::uint32_t x = 0; x < kBlock; ++x) {
       const Class now = (blocked[y] >> x) & 1 ? Class::blocked : (roomy[y] >> x) & 1 ? Class::roomy : Class::tight;
       const std::uint16_t known = words[x].field() & kWeightMask;
@@ -166,9 +156,8 @@ void Terrain::name_block(std::uint32_t first) {
 
 void Terrain::forget_search() {
   for (const std::uint32_t first : asked_) {
-    for (std::uint32_t y = 0; y < kBlock; ++y) {
-      CellWord* words = &cells_[first + y * static_cast<std::uint32_t>(frame_.width)];
-      for (std::uint32_t x = 0; x < kBlock; ++x) words[x].bits &= std::uint64_t{0xFFFF} << CellWord::kFieldShift;
+    for (std::uint32_t i = 0; i < Frame::kBlockCells; ++i) {
+      cells_[first + i].bits &= std::uint64_t{0xFFFF} << CellWord::kFieldShift;
     }
   }
 }
@@ -202,8 +191,8 @@ std::uint32_t Terrain::slot(std::uint32_t index) {
 }
 
 bool Terrain::is_clear(const Spans& spans, std::uint32_t index) const {
-  const auto width = static_cast<std::uint32_t>(frame_.width);
-  return !blocked_.any(spans, static_cast<std::int32_t>(index % width), static_cast<std::int32_t>(index / width));
+  const Cell at = frame_.offset_of(index);
+  return !blocked_.any(spans, at.x, at.y);
 }
 
 std::uint16_t Terrain::find_headings(std::uint32_t index) const {
@@ -228,8 +217,7 @@ void Terrain::reclassify_near(const std::vector<std::uint32_t>& cells, std::vect
   // The rectangle of the changed cells of each block; what is within reach of it is looked at again.
   std::map<Cell, CellRectangle> sources;
   for (const std::uint32_t index : cells) {
-    const Cell cell = {static_cast<std::int32_t>(index % static_cast<std::uint32_t>(frame_.width)),
-                       static_cast<std::int32_t>(index / static_cast<std::uint32_t>(frame_.width))};
+    const Cell cell = frame_.offset_of(index);
     CellRectangle& box =
         sources.try_emplace({cell.x / kBlock, cell.y / kBlock}, CellRectangle{cell, cell}).first->second;
     box.low = {std::min(box.low.x, cell.x), std::min(box.low.y, cell.y)};
@@ -246,29 +234,25 @@ void Terrain::reclassify_near(const std::vector<std::uint32_t>& cells, std::vect
     }
     for (std::int32_t y = around.low.y; options_.mode == BodyMode::footprint && y < around.high.y; ++y) {
       for (std::int32_t x = around.low.x; x < around.high.x; ++x) {
-        const std::uint32_t index =
-            static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(frame_.width) + static_cast<std::uint32_t>(x);
+        const std::uint32_t index = frame_.index_of_offset({x, y});
         if (slots_[index] == 0) continue;
         tight_[slots_[index] - 1].headings = find_headings(index);
         changed.push_back(index);
       }
     }
   }
-  for (const Cell& block : blocks) reclassify_block(block.y * kBlock, block.x, changed);
+  for (const Cell& block : blocks) {
+    reclassify_block(frame_.index_of_offset({block.x * kBlock, block.y * kBlock}), changed);
+  }
 }
 
-void Terrain::reclassify_block(std::int32_t row, std::int32_t column, std::vector<std::uint32_t>& changed) {
-  const std::uint32_t first = static_cast<std::uint32_t>(row) * static_cast<std::uint32_t>(frame_.width) +
-                              static_cast<std::uint32_t>(column * kBlock);
+void Terrain::reclassify_block(std::uint32_t first, std::vector<std::uint32_t>& changed) {
   if (class_of(cells_[first].field()) == Class::unasked) return;
-  std::array<std::uint16_t, kBlock * kBlock> before;
-  for (std::uint32_t i = 0; i < before.size(); ++i) {
-    before[i] = cells_[first + i / kBlock * static_cast<std::uint32_t>(frame_.width) + i % kBlock].field();
-  }
+  std::array<std::uint16_t, Frame::kBlockCells> before;
+  for (std::uint32_t i = 0; i < before.size(); ++i) before[i] = cells_[first + i].field();
   name_block(first);
   for (std::uint32_t i = 0; i < before.size(); ++i) {
-    const std::uint32_t index = first + i / kBlock * static_cast<std::uint32_t>(frame_.width) + i % kBlock;
-    if (class_of(cells_[index].field()) != class_of(before[i])) changed.push_back(index);
+    if (class_of(cells_[first + i].field()) != class_of(before[i])) changed.push_back(first + i);
   }
 }
 

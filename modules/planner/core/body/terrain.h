@@ -109,12 +109,11 @@ class Terrain {
   bool bit(const BitGrid& grid, Cell cell) const { return grid.test(cell.x - frame_.low.x, cell.y - frame_.low.y); }
   std::uint16_t weight(CellState state, std::uint32_t cost) const;
   std::uint16_t ask(std::uint32_t index);
-  std::uint32_t first_of_block(std::uint32_t index) const;
   void name_block(std::uint32_t first);
   void classify(std::int32_t row, std::int32_t column, Block& blocked, Block& roomy) const;
   void load(const CostMap& map, Cell tile, Changes& changes);
   void load_word(const CellState* states, const std::uint32_t* costs, std::int32_t y, std::int32_t x, Changes& changes);
-  void reclassify_block(std::int32_t row, std::int32_t column, std::vector<std::uint32_t>& changed);
+  void reclassify_block(std::uint32_t first, std::vector<std::uint32_t>& changed);
   void reclassify_near(const std::vector<std::uint32_t>& cells, std::vector<std::uint32_t>& changed);
   std::uint16_t find_headings(std::uint32_t index) const;
 

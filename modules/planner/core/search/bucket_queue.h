@@ -48,11 +48,7 @@ class BucketQueue {
     return node;
   }
 
-  /// The node that pop() will take after `ahead` others, if there is one.
-  const std::uint32_t* peek(std::uint64_t bucket, std::size_t ahead) const {
-    const std::vector<std::uint32_t>& nodes = buckets_[bucket];
-    return nodes.size() <= ahead ? nullptr : &nodes[nodes.size() - 1 - ahead];
-  }
+  bool is_empty(std::uint64_t bucket) const { return buckets_[bucket].empty(); }
 
   std::uint64_t bucket_of(std::uint64_t key) const { return key >> shift_; }
   std::uint64_t lowest_key_of(std::uint64_t bucket) const { return bucket << shift_; }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "modules/planner/core/search/graph_edges.h"
+
 namespace scanway::planning {
 namespace {
 
@@ -12,6 +14,8 @@ constexpr std::uint64_t kWorthRepairing = 10;
 constexpr std::uint64_t kAlwaysRepaired = 64;
 /// The queue's buckets begin at 0, so k_m costs memory as it grows.
 constexpr std::uint64_t kLongestWay = 1u << 20;
+/// Nodes out of the queue whose cells are being fetched.
+constexpr std::size_t kOnTheirWay = 16;
 
 }  // namespace
 
@@ -62,35 +66,32 @@ bool DStarLite::move_target(Cell target) {
   return k_m_ / graph_->straight() < kLongestWay;
 }
 
-/// What most nodes are: a cell and its neighbours, all roomy or blocked. Which of the eight gain anything is found
-/// without a branch. Returns false, and has done nothing, for any other node.
-bool DStarLite::expand_roomy(Node node) {
-  Graph::Surroundings around;
-  if (!graph_->surroundings(node, around)) return false;
-  Terrain& terrain = graph_->terrain();
-  const std::uint64_t here = terrain.word(node).value();
+/// What most nodes are: a cell inside its block, it and its neighbours all roomy or blocked. Returns false, and has done
+/// nothing, for any other node.
+bool DStarLite::expand_roomy(Node node, Cell cell) {
+  if (node >= cells_ || !Frame::is_inner(node)) return false;
+  CellWord* const words = &graph_->terrain().word(node);
+  auto steps = graph_->gaining_steps(words);
+  if (!steps) return false;
+  const std::uint64_t here = words->value();
   if (here >= kInfinite - graph_->dearest_step()) throw CostOverflow();
-  unsigned better = 0;
-  for (unsigned step = 0; step < kSteps; ++step) {
-    const CellWord offer = CellWord::with_value(here + around.cost[step]);
-    better |= unsigned{offer.bits > terrain.word(around.node[step]).bits} << step;
-  }
-  const Cell cell = graph_->cell_of(node);
-  for (better &= around.open; better != 0; better &= better - 1) {
-    const auto step = static_cast<std::size_t>(__builtin_ctz(better));
-    const std::uint64_t value = here + around.cost[step];
-    CellWord& next = terrain.word(around.node[step]);
-    next.set_value(value);
-    next.set_tag(static_cast<std::uint8_t>((next.tag() & kRoot) | kOpen | Graph::link_to_roomy_parent(step)));
-    queue_.push(value + k_m_ + ahead(cell.x + kStepX[step], cell.y + kStepY[step]), around.node[step]);
+  for (; *steps != 0; *steps &= *steps - 1) {
+    const int step = __builtin_ctz(*steps);
+    const auto at = static_cast<std::size_t>(step);
+    const std::uint64_t value = here + graph_->cost_of_step(words, step);
+    CellWord& next = words[kInnerStep[at]];
+    const auto tag = static_cast<std::uint8_t>((next.tag() & kRoot) | kOpen | Graph::link_to_roomy_parent(step));
+    next = {CellWord::with_value(value).bits | std::uint64_t{next.field()} << CellWord::kFieldShift | tag};
+    queue_.push(value + k_m_ + ahead(cell.x + kStepX[at], cell.y + kStepY[at]),
+                node + static_cast<std::uint32_t>(kInnerStep[at]));
   }
   return true;
 }
 
-void DStarLite::expand(Node node) {
+void DStarLite::expand(Node node, Cell cell) {
   ++effort_.expansions;
   word(node).set_tag(tag(node) & static_cast<std::uint8_t>(~kOpen));
-  if (node < cells_ && expand_roomy(node)) return;
+  if (expand_roomy(node, cell)) return;
   const std::uint64_t here = value(node);
   graph_->edges_below(node, [&](Node next, std::uint64_t cost, Link link) {
     if (here + cost < value(next)) lower(next, here + cost, link);
@@ -106,27 +107,45 @@ std::uint64_t DStarLite::least(const std::vector<Node>& targets) {
 bool DStarLite::search(const std::vector<Node>& targets) {
   const std::uint64_t before = effort_.expansions;
   may_drop_ = effort_.dropped + std::max(kAlwaysRepaired, first_expansions_ / kWorthRepairing);
-  std::vector<Node> kept;
+  std::vector<Node> beyond;
   while (true) {
     if (!rise_before(targets)) return false;
     const std::uint64_t goal = least(targets);
     const std::uint64_t bucket = queue_.lowest();
     if (bucket == BucketQueue::kNone || (goal != kInfinite && queue_.lowest_key_of(bucket) >= goal + k_m_)) break;
-    const Node node = queue_.pop(bucket);
-    if (const Node* const soon = queue_.peek(bucket, 2)) graph_->prefetch(*soon);
-    if ((tag(node) & kOpen) == 0) continue;
-    const std::uint64_t now = key(node, value(node));
-    if (queue_.bucket_of(now) > bucket) {
-      queue_.push(now, node);
-    } else if (goal != kInfinite && now >= goal + k_m_) {
-      kept.push_back(node);
-    } else {
-      expand(node);
-    }
+    empty(bucket, targets, beyond);
   }
-  for (const Node node : kept) queue_.push(key(node, value(node)), node);
+  for (const Node node : beyond) queue_.push(key(node, value(node)), node);
   first_expansions_ = std::max(first_expansions_, effort_.expansions - before);
   return true;
+}
+
+/// Expands what is in a bucket and comes into it meanwhile. Between leaving the queue and being looked at, a node waits
+/// for others, so that its cells have come from memory by then.
+[[gnu::flatten, gnu::target_clones("default", "avx2")]] void DStarLite::empty(std::uint64_t bucket, const std::vector<Node>& targets, std::vector<Node>& beyond) {
+  std::array<Node, kOnTheirWay> way;
+  for (std::size_t out = 0, done = 0;; ++done) {
+    for (; out < done + kOnTheirWay && !queue_.is_empty(bucket); ++out) {
+      way[out % kOnTheirWay] = queue_.pop(bucket);
+      graph_->prefetch(way[out % kOnTheirWay]);
+    }
+    if (done == out) return;
+    look_at(way[done % kOnTheirWay], bucket, least(targets), beyond);
+  }
+}
+
+void DStarLite::look_at(Node node, std::uint64_t bucket, std::uint64_t goal, std::vector<Node>& beyond) {
+  const CellWord known = word(node);
+  if ((known.tag() & kOpen) == 0) return;
+  const Cell cell = graph_->cell_of(node);
+  const std::uint64_t now = known.value() + ahead(cell.x, cell.y) + k_m_;
+  if (queue_.bucket_of(now) > bucket) {
+    queue_.push(now, node);
+  } else if (goal != kInfinite && now >= goal + k_m_) {
+    beyond.push_back(node);
+  } else {
+    expand(node, cell);
+  }
 }
 
 std::optional<Node> DStarLite::reached(const std::vector<Node>& targets) {
@@ -199,10 +218,10 @@ void DStarLite::rise(Node node) {
 
 std::vector<std::uint32_t> DStarLite::with_neighbours(const std::vector<std::uint32_t>& cells) const {
   std::vector<std::uint32_t> all = cells;
-  const std::int32_t width = graph_->terrain().frame().width;
+  const Frame& frame = graph_->terrain().frame();
   for (const std::uint32_t cell : cells) {
     for (std::size_t step = 0; step < kSteps; ++step) {
-      all.push_back(cell + static_cast<std::uint32_t>(kStepY[step] * width + kStepX[step]));
+      all.push_back(frame.beside(cell, kStepX[step], kStepY[step]));
     }
   }
   std::sort(all.begin(), all.end());

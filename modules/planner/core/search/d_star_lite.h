@@ -65,8 +65,10 @@ class DStarLite {
   std::uint64_t ahead(std::int32_t x, std::int32_t y) const { return graph_->least_cost(x - target_.x, y - target_.y); }
   std::uint64_t key(Node node, std::uint64_t value) const;
   void lower(Node node, std::uint64_t value, Link link);
-  void expand(Node node);
-  bool expand_roomy(Node node);
+  void empty(std::uint64_t bucket, const std::vector<Node>& targets, std::vector<Node>& beyond);
+  void look_at(Node node, std::uint64_t bucket, std::uint64_t goal, std::vector<Node>& beyond);
+  void expand(Node node, Cell cell);
+  bool expand_roomy(Node node, Cell cell);
   struct Offer {
     std::uint64_t value = kInfinite;
     Link link = 0;

@@ -1,6 +1,4 @@
-#include "modules/planner/core/search/graph.h"
-
-#include <stdexcept>
+#include "modules/planner/core/search/graph_edges.h"
 
 namespace scanway::planning {
 
@@ -10,14 +8,8 @@ Graph::Graph(Terrain& terrain, Root root, const Units& units)
       cells_(static_cast<Node>(terrain.frame().cells())),
       corners_block_(terrain.options().mode != BodyMode::footprint),
       units_({units.straight, units.diagonal}),
-      row_reciprocal_(~std::uint64_t{0} / static_cast<std::uint64_t>(terrain.frame().width) + 1),
       least_straight_(straight()),
-      least_diagonal_rise_(2 * (units.diagonal - units.straight) * terrain.weight_one()) {
-  for (int step = 0; step < kSteps; ++step) {
-    const auto at = static_cast<std::size_t>(step);
-    offset_[at] = kStepY[at] * terrain.frame().width + kStepX[at];
-  }
-}
+      least_diagonal_rise_(std::uint64_t{2} * (units.diagonal - units.straight) * terrain.weight_one()) {}
 
 Node Graph::parent(Node node, Link link) const {
   const int step = link & 7;

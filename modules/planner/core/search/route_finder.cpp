@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "modules/planner/core/search/graph_edges.h"
+
 namespace scanway::planning {
 
 void RouteFinder::change(const std::vector<std::uint32_t>& cells) {
