@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "modules/mapper/core/registration/eigen3.h"
+
 namespace scanway::registration {
 namespace {
 
 constexpr float kOverlapDistance = 0.3f;
 constexpr float kSurfaceDistance = 0.6f;  // between the centres of like surfaces
 constexpr float kPlaneDistance = 0.12f;   // of one centre from the other's plane
+constexpr float kTightDistance = 0.05f;   // the same, of surfaces that are registered to the centimetre
 constexpr float kMinNormalCosine = 0.9f;
 
 /// One direction: `from` seen by `to`.
@@ -47,7 +50,7 @@ struct View {
     double met = 0.0, visible = 0.0;
     for (std::size_t i = 0; i < surfaces.count(); ++i) {
       const Eigen::Vector3f p = R * surfaces.centre[i] + t, n = R * surfaces.normal[i];
-      const bool fits = meets_like_surface(p, n);
+      const bool fits = meets_like_surface(p, n, kPlaneDistance);
       const RangeImage::Sight sight = to.image.look(p);
       const bool in_view = fits || sight == RangeImage::Sight::free || sight == RangeImage::Sight::surface;
       if (fits) met += surfaces.weight[i];
@@ -56,14 +59,27 @@ struct View {
     return visible > 0.0 ? met / visible : 0.0;
   }
 
-  bool meets_like_surface(const Eigen::Vector3f& p, const Eigen::Vector3f& n) const {
+  double held_fit(const Eigen::Matrix3f& axes) const {
+    Eigen::Vector3d met = Eigen::Vector3d::Zero(), visible = Eigen::Vector3d::Constant(1e-9);
+    for (std::size_t i = 0; i < from.surfaces.count(); ++i) {
+      const Eigen::Vector3f p = R * from.surfaces.centre[i] + t, n = R * from.surfaces.normal[i];
+      const Eigen::Vector3d hold = (axes.transpose() * n).cwiseAbs2().cast<double>();
+      const RangeImage::Sight sight = to.image.look(p);
+      if (sight != RangeImage::Sight::free && sight != RangeImage::Sight::surface) continue;
+      visible += hold;
+      if (meets_like_surface(p, n, kTightDistance)) met += hold;
+    }
+    return met.cwiseQuotient(visible).minCoeff();
+  }
+
+  bool meets_like_surface(const Eigen::Vector3f& p, const Eigen::Vector3f& n, float plane_distance) const {
     const CellGrid& grid = to.surface_grid;
     return grid
         .nearest(p, kSurfaceDistance,
                  [&](std::uint32_t position) {
                    const std::uint32_t j = grid.original()[position];
                    return n.dot(to.surfaces.normal[j]) > kMinNormalCosine &&
-                          std::fabs(to.surfaces.normal[j].dot(p - grid.points()[position])) < kPlaneDistance;
+                          std::fabs(to.surfaces.normal[j].dot(p - grid.points()[position])) < plane_distance;
                  })
         .found();
   }
@@ -85,6 +101,14 @@ Agreement assess(const PreparedScan::Data& source, const PreparedScan::Data& tar
   agreement.conflict = std::max(there.conflict, back.conflict);
   agreement.surface_fit = std::min(there.surface_fit, back.surface_fit);
   return agreement;
+}
+
+double held_fit(const PreparedScan::Data& source, const PreparedScan::Data& target, const IcpResult& icp) {
+  const Eigen3 known = symmetric_eigen(icp.plain_information.bottomRightCorner<3, 3>());
+  const Eigen::Matrix3f axes = known.vectors.cast<float>();
+  const Pose back = icp.T_target_source.inverse();
+  return std::min(view(source, target, icp.T_target_source).held_fit(axes),
+                  view(target, source, back).held_fit(back.linear().cast<float>() * axes));
 }
 
 }  // namespace scanway::registration

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "modules/mapper/core/registration/icp.h"
 #include "modules/mapper/core/registration/prepared_scan.h"
 
 namespace scanway::registration {
@@ -15,5 +16,10 @@ struct Agreement {
 /// Poses are between the sensors' centres. `samples`: how many points a side are asked.
 Agreement assess(const PreparedScan::Data& source, const PreparedScan::Data& target, const Pose& T_target_source,
                  std::size_t samples);
+
+/// Of the source's surfaces in the target's view, the share that lies within a few centimetres of a like one, each
+/// counted by how much it would hold a shift along an axis; the worst of the three axes of the ICP's knowledge. A pose
+/// that the ground alone supports, while walls miss each other, has none of it.
+double held_fit(const PreparedScan::Data& source, const PreparedScan::Data& target, const IcpResult& icp);
 
 }  // namespace scanway::registration

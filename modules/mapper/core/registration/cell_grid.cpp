@@ -6,7 +6,7 @@
 namespace scanway::registration {
 
 CellGrid::CellGrid(const Points& points, float cell_m)
-    : per_metre_(1.0f / cell_m), reach_(cell_m * static_cast<float>(kCellLimit - 2)) {
+    : cell_m_(cell_m), per_metre_(1.0f / cell_m), reach_(cell_m * static_cast<float>(kCellLimit - 2)) {
   std::vector<std::pair<CellKey, std::uint32_t>> order;
   order.reserve(points.size());
   for (std::uint32_t i = 0; i < points.size(); ++i) {

@@ -1,22 +1,36 @@
 #include "modules/mapper/core/registration/search.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "common/parallel/blocks.h"
 #include "modules/mapper/core/registration/matching.h"
+#include "modules/mapper/core/registration/schedule.h"
 
 namespace scanway::registration {
 namespace {
 
-constexpr std::array<IcpRound, 2> kCoarse = {{{1.2f, 0.4f, 6}, {0.6f, 0.2f, 8}}};
-constexpr std::array<IcpRound, 2> kFine = {{{0.5f, 0.1f, 10}, {0.5f, 0.1f, 20, true}}};
-constexpr std::size_t kCoarseSamples = 1500, kFineSamples = 8000;
+constexpr std::size_t kFirstSamples = 400, kSecondSamples = 1500, kFineSamples = 8000;
+constexpr std::size_t kSecondLook = 6;  // candidates of the first look that get a second
 constexpr double kDistinctMetres = 0.5, kDistinctRadians = 0.09;
 
 bool distinct(const Pose& a, const Pose& b) {
   const Pose d = a.inverse() * b;
   return d.translation().norm() > kDistinctMetres || rotation_angle(d.linear()) > kDistinctRadians;
+}
+
+/// Each pose after one more round of ICP, judged by `samples` points a side: the distinct ones, best first.
+std::vector<Candidate> look(std::vector<Candidate> candidates, const PreparedScan::Data& source,
+                            const PreparedScan::Data& target, const std::optional<RotationBounds>& bounds,
+                            std::span<const IcpRound> round, std::size_t samples) {
+  for_blocks(candidates.size(), 1, [&](std::size_t i, std::size_t, std::size_t) {
+    Candidate& c = candidates[i];
+    c.T_target_source =
+        run_icp(source.few_surfaces, {target.surfaces, target.surface_grid}, c.T_target_source, round).T_target_source;
+    c.evidence.agreement = assess(source, target, c.T_target_source, samples);
+  });
+  std::erase_if(candidates, [&](const Candidate& c) { return bounds && !within(*bounds, c.T_target_source.linear()); });
+  return rank_candidates(std::move(candidates));
 }
 
 }  // namespace
@@ -52,20 +66,15 @@ std::vector<Candidate> find_candidates(const PreparedScan::Data& source, const P
       find_hypotheses(source.keypoints, target.keypoints, matches, bounds, options);
   begin_stage(stages, "checks");
   std::vector<Candidate> all;
-  for (const Hypothesis& h : hypotheses) {
-    const IcpResult icp =
-        run_icp(source.few_surfaces, {target.surfaces, target.surface_grid}, h.T_target_source, kCoarse);
-    if (bounds && !within(*bounds, icp.T_target_source.linear())) continue;
-    Candidate candidate{icp.T_target_source, {}};
-    candidate.evidence.agreement = assess(source, target, icp.T_target_source, kCoarseSamples);
-    all.push_back(candidate);
-  }
-  return rank_candidates(std::move(all));
+  for (const Hypothesis& h : hypotheses) all.push_back({h.T_target_source, {}});
+  all = look(std::move(all), source, target, bounds, kFirstRound, kFirstSamples);
+  if (all.size() > kSecondLook) all.resize(kSecondLook);
+  return look(std::move(all), source, target, bounds, kSecondRound, kSecondSamples);
 }
 
 IcpResult refine_finely(const PreparedScan::Data& source, const PreparedScan::Data& target,
                         const Pose& T_target_source) {
-  return run_icp(source.surfaces, {target.surfaces, target.surface_grid}, T_target_source, kFine);
+  return run_icp(source.surfaces, {target.surfaces, target.surface_grid}, T_target_source, kFineRounds);
 }
 
 Evidence evidence_of(const PreparedScan::Data& source, const PreparedScan::Data& target, const IcpResult& icp) {

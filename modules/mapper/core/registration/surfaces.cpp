@@ -60,6 +60,7 @@ bool add_if_flat(const CellMoments& cell, float cell_m, Surfaces& surfaces) {
   const Eigen::Vector3f normal = eigen.vectors.col(0).cast<float>();
   surfaces.centre.push_back(centre);
   surfaces.normal.push_back(normal.dot(centre) > 0 ? Eigen::Vector3f(-normal) : normal);
+  surfaces.variance.push_back(static_cast<float>(std::max(0.0, eigen.values[0]) / cell.count));
   surfaces.size.push_back(cell_m);
   return true;
 }
@@ -123,6 +124,7 @@ Surfaces thin_surfaces(const Surfaces& surfaces, std::size_t count) {
     while (next <= passed) next += step;
     thin.centre.push_back(surfaces.centre[i]);
     thin.normal.push_back(surfaces.normal[i]);
+    thin.variance.push_back(surfaces.variance[i]);
     thin.size.push_back(surfaces.size[i]);
     thin.weight.push_back(1.0f);
   }

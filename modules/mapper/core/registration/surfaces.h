@@ -9,9 +9,10 @@ namespace scanway::registration {
 /// next coarser level is asked.
 struct Surfaces {
   Points centre;
-  Points normal;              ///< Unit, towards the sensor.
-  std::vector<float> weight;  ///< Balances directions: rare directions of normals count more. About 1 in the mean.
-  std::vector<float> size;    ///< Edge of the cell that it was taken from, metres.
+  Points normal;                ///< Unit, towards the sensor.
+  std::vector<float> weight;    ///< Balances directions: rare directions of normals count more. About 1 in the mean.
+  std::vector<float> variance;  ///< Of the centre along the normal, by the points' scatter, square metres.
+  std::vector<float> size;      ///< Edge of the cell that it was taken from, metres.
   std::size_t count() const { return centre.size(); }
 };
 

@@ -15,6 +15,10 @@ struct Evidence {
   Agreement agreement;
   double rmse_m = 0.0;
   double margin = kMaxMargin;  ///< Rank less that of the second-best distinct pose.
+  double held_fit = 0.0;       ///< Surface fit of the direction that is held worst: see held_fit().
+  double sigma_m = 1.0;        ///< Of the translation and the rotation, by the last step.
+  double sigma_rad = 0.1;
+  double moved_m = 1.0;        ///< By the last step: two estimators that agree are seldom both wrong.
   double observability = 0.0;  ///< Of the least constrained direction: its share of the information, 1/3 at best.
 };
 

@@ -1,92 +1,130 @@
-// What the verdict sees at right and at wrong poses: a CSV line for each of the best candidates of every pair of the
-// real sets (with a tracker and without), and of pairs across sets, which have no right pose.
-//   registration_evidence DATA > evidence.csv; fit_verdict.py evidence.csv
+// What the verdict sees at the end of a registration: one CSV line for each of thousands of pairs, right, wrong and
+// hopeless. Input of fit_verdict.py.
+//   registration_evidence --world yard --world hall --seeds 4 --sweeps 12 > evidence.csv   pairs within worlds, across
+//   registration_evidence --data ../shared/data > evidence.csv                             the real sets, and across
 #include <cstdio>
 #include <string>
 #include <vector>
 
-#include "modules/mapper/core/registration/search.h"
+#include <CLI/CLI.hpp>
+
+#include "common/geometry/pose.h"
+#include "tests/bench/registration/evidence/evidence_row.h"
 #include "tests/bench/registration/real_pairs.h"
+#include "tests/bench/registration/simulated/simulated_scans.h"
 
 namespace {
 
 using namespace scanway;
 using namespace scanway::bench;
-using namespace scanway::registration;
 
-constexpr std::size_t kCandidates = 4;
-
-struct Prepared {
-  RealSet set;
-  std::vector<PreparedScan> scans;
+struct Options {
+  std::string data;
+  std::vector<std::string> worlds;
+  int first_seed = 1, seeds = 1;
+  SimulatedPlan plan;
+  double min_m = 0.0, max_m = 45.0;
+  std::string mode = "tracker";
+  int across = 0;
 };
 
-/// 1 right, 0 wrong, -1 too near the limit to say.
-int label_of(const Pose& T, const RealSet& set, const Pose* truth) {
-  if (truth == nullptr) return 0;
-  const PoseError error = error_of(T, *truth);
-  if (error.metres < set.right_m && error.radians < set.right_angle) return 1;
-  return error.metres > 3.0 * set.right_m || error.radians > 3.0 * set.right_angle ? 0 : -1;
+bool tracked(const Options& options, Random& random) {
+  if (options.mode == "both") return random.below(2) == 0;
+  return options.mode == "tracker";
 }
 
-void print_pair(const std::string& name, const RealSet& set, const PreparedScan& source, const PreparedScan& target,
-                const std::optional<OrientationPrior>& prior, const Pose* truth) {
-  static int pair = 0;
-  ++pair;
-  std::optional<RotationBounds> bounds;
-  if (prior) bounds = bounds_of(*prior);
-  const auto candidates = find_candidates(source.data(), target.data(), bounds, SearchWidth::mutual, nullptr);
-  for (std::size_t i = 0; i < std::min(kCandidates, candidates.size()); ++i) {
-    const IcpResult icp = refine_finely(source.data(), target.data(), candidates[i].T_target_source);
-    const Evidence e = evidence_of(source.data(), target.data(), icp);
-    const Agreement& a = e.agreement;
-    std::printf("%s,%d,%d,%d,%.4f,%.4f,%.5f,%.4f,%.4f,%.5f\n", name.c_str(), pair, prior ? 1 : 0,
-                label_of(icp.T_target_source, set, truth), a.overlap, a.overlap_back, a.conflict, a.surface_fit,
-                e.rmse_m, e.observability);
-  }
-  std::fflush(stdout);
+/// Scans that share nothing, as their tracker might have them.
+OrientationPrior any_prior(Random& random) {
+  OrientationPrior prior;
+  prior.R_target_source = rotation_about_z(6.28 * random.uniform());
+  return prior;
 }
 
-void print_set(const Prepared& p, Random& random) {
-  for (std::size_t target = 0; target < p.scans.size(); ++target) {
-    for (std::size_t source = target + 1; source < p.scans.size(); ++source) {
-      const Pose truth = p.set.T_target_source(source, target);
-      const OrientationPrior prior = disturbed_prior(truth, 5.0, 0.5, random);
-      print_pair(p.set.name, p.set, p.scans[source], p.scans[target], prior, &truth);
-      print_pair(p.set.name, p.set, p.scans[source], p.scans[target], std::nullopt, &truth);
+void print_world(const Options& options, const SimulatedScans& s, Random& random) {
+  for (std::size_t target = 0; target < s.scans.size(); ++target) {
+    for (std::size_t source = target + 1; source < s.scans.size(); ++source) {
+      const Pose truth = s.T_target_source(source, target);
+      const double distance = truth.translation().norm();
+      if (distance < options.min_m || distance > options.max_m) continue;
+      std::optional<OrientationPrior> prior;
+      if (tracked(options, random)) prior = s.prior(source, target);
+      print_evidence({s.world, truth, s.overlap(source, target)}, s.scans[source], s.scans[target], prior);
     }
   }
 }
 
-void print_across(const std::vector<Prepared>& all, Random& random) {
-  for (std::size_t a = 0; a < all.size(); ++a) {
-    for (std::size_t b = a + 1; b < all.size(); ++b) {
-      for (int k = 0; k < 3; ++k) {
-        const PreparedScan& source = all[a].scans[random.below(all[a].scans.size())];
-        const PreparedScan& target = all[b].scans[random.below(all[b].scans.size())];
-        OrientationPrior prior;
-        prior.R_target_source = rotation_about_z(6.0 * random.uniform());
-        print_pair("across_" + all[a].set.name, all[a].set, source, target, prior, nullptr);
-        print_pair("across_" + all[a].set.name, all[a].set, source, target, std::nullopt, nullptr);
+using Place = std::vector<PreparedScan>;  // Scans of one place: another place shares nothing with it.
+
+void print_across(const Options& options, const std::vector<std::string>& names, const std::vector<Place>& places,
+                  Random& random) {
+  for (int k = 0; k < options.across && places.size() > 1; ++k) {
+    const std::size_t a = random.below(places.size()), b = random.below(places.size());
+    if (a == b || places[a].empty() || places[b].empty()) continue;
+    std::optional<OrientationPrior> prior;
+    if (tracked(options, random)) prior = any_prior(random);
+    const PreparedScan& source = places[a][random.below(places[a].size())];
+    const PreparedScan& target = places[b][random.below(places[b].size())];
+    print_evidence({"across_" + names[a], std::nullopt}, source, target, prior);
+  }
+}
+
+void simulated(const Options& options) {
+  Random random(static_cast<std::uint64_t>(options.first_seed));
+  std::vector<std::string> names;
+  std::vector<Place> places;
+  for (int seed = options.first_seed; seed < options.first_seed + options.seeds; ++seed) {
+    for (const std::string& world : options.worlds) {
+      SimulatedScans s = simulate_scans(world, static_cast<std::uint64_t>(seed), options.plan);
+      print_world(options, s, random);
+      s.scans.resize(std::min<std::size_t>(3, s.scans.size()));
+      names.push_back(world);
+      places.push_back(std::move(s.scans));
+    }
+  }
+  print_across(options, names, places, random);
+}
+
+void real(const Options& options) {
+  Random random(1);
+  std::vector<Place> places;
+  for (const std::string& name : real_set_names()) {
+    const RealSet set = load_set(options.data, name);
+    Place scans;
+    for (const PointCloud& cloud : set.clouds) scans.push_back(PreparedScan::make(cloud, Eigen::Vector3d::Zero(), {}));
+    for (std::size_t target = 0; target < scans.size(); ++target) {
+      for (std::size_t source = target + 1; source < scans.size(); ++source) {
+        const Pose truth = set.T_target_source(source, target);
+        const double overlap = std::min(true_overlap(set.clouds[source], set.clouds[target], truth),
+                                        true_overlap(set.clouds[target], set.clouds[source], truth.inverse()));
+        const KnownPair known{"real_" + name, truth, overlap, set.right_m, set.right_angle};
+        const OrientationPrior prior = disturbed_prior(truth, 5.0, 0.5, random);
+        if (options.mode != "none") print_evidence(known, scans[source], scans[target], prior);
+        if (options.mode != "tracker") print_evidence(known, scans[source], scans[target], std::nullopt);
       }
     }
+    places.push_back(std::move(scans));
   }
+  print_across(options, real_set_names(), places, random);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::string data = argc > 1 ? argv[1] : "../shared/data";
-  std::printf("set,pair,tracker,right,overlap,overlap_back,conflict,surface_fit,rmse_m,observability\n");
-  Random random(1);
-  std::vector<Prepared> all;
-  for (const std::string& name : real_set_names()) {
-    Prepared p{load_set(data, name), {}};
-    for (const PointCloud& cloud : p.set.clouds) {
-      p.scans.push_back(PreparedScan::make(cloud, Eigen::Vector3d::Zero(), {}));
-    }
-    print_set(p, random);
-    all.push_back(std::move(p));
-  }
-  print_across(all, random);
+  Options options;
+  CLI::App app{"What the verdict sees, as CSV"};
+  app.add_option("--data", options.data, "The folder of the real sets");
+  app.add_option("--world", options.worlds);
+  app.add_option("--first-seed", options.first_seed);
+  app.add_option("--seeds", options.seeds);
+  app.add_option("--sweeps", options.plan.sweeps, "A world: n of them are n (n - 1) / 2 pairs");
+  app.add_option("--span", options.plan.span_m, "Metres of the route on which they stand");
+  app.add_option("--thin", options.plan.thin);
+  app.add_option("--min", options.min_m, "Metres between the sweeps of a pair, at least");
+  app.add_option("--max", options.max_m);
+  app.add_option("--mode", options.mode, "tracker, none or both");
+  app.add_option("--across", options.across, "Pairs of scans of different places");
+  CLI11_PARSE(app, argc, argv);
+  print_header();
+  if (!options.data.empty()) real(options);
+  simulated(options);
 }

@@ -1,0 +1,96 @@
+#include "modules/mapper/core/registration/conclusion.h"
+
+#include <algorithm>
+
+namespace scanway::registration {
+namespace {
+
+// The last ICP is run from several candidates while their coarse ranks (log-odds) are near enough to swap.
+constexpr std::size_t kFinalists = 3;
+constexpr double kSwappable = 4.0;
+
+/// From between the sensors' centres to between the scans' frames.
+Pose to_scan_frames(const Pose& T, const PreparedScan::Data& source, const PreparedScan::Data& target) {
+  return Eigen::Translation3d(target.origin) * T * Eigen::Translation3d(-source.origin);
+}
+
+struct Finalist {
+  IcpResult icp;
+  Candidate candidate;
+};
+
+std::vector<Finalist> refine(const std::vector<Candidate>& candidates, const PreparedScan::Data& source,
+                             const PreparedScan::Data& target) {
+  std::vector<Finalist> finalists;
+  for (std::size_t i = 0; i < std::min(kFinalists, candidates.size()); ++i) {
+    if (rank_of(candidates[0].evidence) - rank_of(candidates[i].evidence) > kSwappable) break;
+    const IcpResult icp = refine_finely(source, target, candidates[i].T_target_source);
+    finalists.push_back({icp, {icp.T_target_source, evidence_of(source, target, icp)}});
+  }
+  return finalists;
+}
+
+double margin_of(const Candidate& best, const std::vector<Finalist>& finalists,
+                 const std::vector<Candidate>& candidates) {
+  std::vector<Candidate> rivals = candidates;
+  for (const Finalist& f : finalists) rivals.push_back(f.candidate);
+  return margin_to_others(best, rivals);
+}
+
+/// The best of the candidates; nothing without a candidate.
+std::optional<Conclusion> conclude(const std::vector<Candidate>& candidates, const PreparedScan::Data& source,
+                                   const PreparedScan::Data& target, StageListener* stages) {
+  begin_stage(stages, "icp");
+  const std::vector<Finalist> finalists = refine(candidates, source, target);
+  if (finalists.empty()) return std::nullopt;
+  begin_stage(stages, "verdict");
+  const Finalist& best =
+      *std::max_element(finalists.begin(), finalists.end(), [](const Finalist& a, const Finalist& b) {
+        return rank_of(a.candidate.evidence) < rank_of(b.candidate.evidence);
+      });
+  const LastStep last = take_last_step(source, target, best.icp.T_target_source);
+  Conclusion conclusion{best.icp, last, best.candidate.evidence};
+  Evidence& evidence = conclusion.evidence;
+  evidence.margin = margin_of(best.candidate, finalists, candidates);
+  evidence.held_fit = held_fit(source, target, best.icp);
+  evidence.sigma_m = last.sigma_m();
+  evidence.sigma_rad = last.sigma_rad();
+  evidence.moved_m = last.moved_m;
+  return conclusion;
+}
+
+/// As the caller gets it: between the scans' own frames, with covariance and verdict.
+RegistrationResult result_of(const Conclusion& conclusion, const PreparedScan::Data& source,
+                             const PreparedScan::Data& target) {
+  RegistrationResult result;
+  result.T_target_source = to_scan_frames(conclusion.last.T_target_source, source, target);
+  result.inlier_rmse_m = conclusion.last.rmse_m;
+  result.covariance = conclusion.last.covariance;
+  result.overlap = conclusion.evidence.agreement.overlap;
+  decide(conclusion.evidence, observe(conclusion.icp), result);
+  return result;
+}
+
+}  // namespace
+
+Attempt attempt_registration(const PreparedScan::Data& source, const PreparedScan::Data& target,
+                             const std::optional<OrientationPrior>& prior, StageListener* stages) {
+  std::optional<RotationBounds> bounds;
+  if (prior) bounds = bounds_of(*prior);
+  Attempt attempt;
+  attempt.result.reason = "No pose was found that the scans' features agree on.";
+  std::vector<Candidate> candidates;
+  for (const SearchWidth width : {SearchWidth::mutual, SearchWidth::wide}) {
+    std::vector<Candidate> more = find_candidates(source, target, bounds, width, stages);
+    candidates.insert(candidates.end(), more.begin(), more.end());
+    candidates = rank_candidates(std::move(candidates));
+    if (auto conclusion = conclude(candidates, source, target, stages)) {
+      attempt.result = result_of(*conclusion, source, target);
+      attempt.conclusion = std::move(conclusion);
+    }
+    if (attempt.result.verdict == Verdict::accepted) break;
+  }
+  return attempt;
+}
+
+}  // namespace scanway::registration
