@@ -27,6 +27,8 @@ constexpr const Channel* kInputs[] = {&channel::kImu,       &channel::kPanTiltSt
                                       &channel::kGoal};
 /// The key of a live mapper's own PARAMS; an imported log's is kParamsKey.
 constexpr const char* kMapper = "mapper";
+/// The name that scanway-simulator gives to its robot's pose, which it says once a second.
+constexpr const char* kSimulator = "simulator";
 
 bool is_input(std::string_view name) {
   for (const Channel* input : kInputs) {
@@ -133,7 +135,7 @@ Replay::Replay(const Robot& robot, LogWriter& recording, LogStory story)
 
 void Replay::run(LogReader& log, const std::function<void(double)>& progress) {
   for (bool first = true; const auto event = log.next();) {
-    if (std::exchange(first, false)) tell_params(event->utime);
+    if (std::exchange(first, false)) begin(event->utime);
     if (!is_input(event->channel) || is_left_aside(*event)) continue;
     bus_.feed(event->channel, event->bytes, event->utime);
     if (progress) progress(static_cast<double>(event->offset) / static_cast<double>(log.file_bytes()));
@@ -165,6 +167,7 @@ void Replay::note_scan(const BusMessage& bytes) {
   const auto verdict = decode<registration_t>(bytes.bytes);
   ScanReport scan;
   scan.name = verdict.scan_name;
+  scan.utime = verdict.utime;
   scan.target = verdict.target_name;
   scan.accepted = verdict.accepted != 0;
   scan.probability = verdict.probability;
@@ -179,7 +182,9 @@ void Replay::note_scan(const BusMessage& bytes) {
 void Replay::note_reference(const BusMessage& bytes) {
   try {
     const auto reference = decode<reference_pose_t>(bytes.bytes);
-    references_[reference.scan_name] = get_rows(reference.T_ref_scan);
+    const Pose T_ref_scan = get_rows(reference.T_ref_scan);
+    if (reference.scan_name == kSimulator) truth_[reference.utime] = T_ref_scan;
+    if (reference.scan_name != kSimulator) references_[reference.scan_name] = T_ref_scan;
   } catch (const BadMessage&) {
     // A reference serves comparison only; without it the scan is reported without an error.
   }
@@ -192,13 +197,27 @@ std::map<std::string, std::int64_t> Replay::counters() const {
   return counters;
 }
 
+/// Its own, or where the simulated robot stood when its last point was measured.
+std::optional<Pose> Replay::reference_of(const ScanReport& scan) const {
+  const auto reference = references_.find(scan.name);
+  if (reference != references_.end()) return reference->second;
+  const auto later = truth_.upper_bound(scan.utime);
+  return later == truth_.begin() ? std::nullopt : std::optional(std::prev(later)->second);
+}
+
+/// Later sweeps may have moved earlier ones. Those of a map that was continued come before the log's.
+void Replay::note_last_poses(std::vector<ScanReport>& scans) const {
+  auto held = mapper_.mapper().trajectory().rbegin();
+  for (auto scan = scans.rbegin(); scan != scans.rend(); ++scan) {
+    if (scan->accepted) scan->T_map_scan = (held++)->X_map_sweep;
+  }
+}
+
 ReplayReport Replay::report() {
   ReplayReport report;
   report.scans = scans_;
-  for (ScanReport& scan : report.scans) {
-    const auto reference = references_.find(scan.name);
-    if (reference != references_.end()) scan.T_ref_scan = reference->second;
-  }
+  for (ScanReport& scan : report.scans) scan.T_ref_scan = reference_of(scan);
+  note_last_poses(report.scans);
   report.counters = counters();
   report.path_without_embodiment = path_report(planner_.without_embodiment());
   report.path_with_embodiment = path_report(planner_.with_embodiment());

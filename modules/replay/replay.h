@@ -64,9 +64,11 @@ class Replay {
   };
 
   bool is_left_aside(const LogEvent& event) const;
-  void tell_params(Utime begin);
+  void begin(Utime utime);
   void note_scan(const BusMessage& verdict);
+  void note_last_poses(std::vector<ScanReport>& scans) const;
   void note_reference(const BusMessage& reference);
+  std::optional<Pose> reference_of(const ScanReport& scan) const;
   std::map<std::string, std::int64_t> counters() const;
 
   const Robot robot_;
@@ -79,6 +81,7 @@ class Replay {
   PlannerNode planner_;
   std::vector<ScanReport> scans_;
   std::map<std::string, Pose> references_;
+  std::map<Utime, Pose> truth_;  // Of the simulated robot.
 };
 
 }  // namespace scanway

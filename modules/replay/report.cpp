@@ -52,6 +52,7 @@ Json to_json(const ReplayReport& report, const ScanReport& scan) {
                {"inlier_rmse_m", scan.inlier_rmse_m},
                {"reason", scan.reason},
                {"T_map_scan", to_json(scan.T_map_scan)}};
+  if (scan.T_ref_scan) json["T_ref_scan"] = to_json(*scan.T_ref_scan);
   if (const auto error = pose_error(report, scan)) {
     json["error_m"] = error->translation_m;
     json["error_deg"] = degrees(error->rotation);
@@ -76,7 +77,8 @@ const std::vector<Column>& columns() {
       {"features", {"prepare", "voxels", "surfaces", "neighbours", "normals", "fpfh"}},
       {"coarse", {"matching", "hypotheses", "checks"}},
       {"icp", {"icp", "verdict"}},
-      {"merge", {"merge"}},
+      {"graph", {"overlap", "graph"}},
+      {"merge", {"merge", "remake"}},
       {"octomap", {"octomap"}},
       {"ground", {"ground"}},
       {"cost map", {"cost_map", "embodiment"}},

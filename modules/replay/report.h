@@ -7,12 +7,14 @@
 #include <vector>
 
 #include "common/geometry/pose.h"
+#include "common/time/utime.h"
 
 namespace scanway {
 
 /// What became of one scan, for people and programs.
 struct ScanReport {
   std::string name;
+  Utime utime = 0;
   std::string target;  ///< What it was registered to; empty for the first.
   bool accepted = false;
   double probability = 0.0;

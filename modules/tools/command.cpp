@@ -21,6 +21,7 @@
 #include "common/messages/codec.h"
 #include "scanway/health_t.hpp"
 #include "scanway/pan_tilt_command_t.hpp"
+#include "scanway/registration_t.hpp"
 #include "scanway/sweep_mark_t.hpp"
 
 namespace scanway::tools {
@@ -68,6 +69,8 @@ class Bridge {
     hear<sweep_mark_t>(channel::kSweepMark, [this](const sweep_mark_t& mark) {
       marks_[{mark.numbered_since, mark.sweep}] = mark;
     });
+    hear<registration_t>(channel::kRegistration,
+                         [this](const registration_t& verdict) { verdicts_[verdict.utime] = verdict; });
   }
 
   void listen() {
@@ -87,6 +90,11 @@ class Bridge {
     const auto found = marks_.find({health_.start_utime, sweep});
     return found == marks_.end() ? std::nullopt : std::optional(found->second);
   }
+  /// What became of the sweep that began then.
+  const registration_t* verdict_since(Utime begun) const {
+    const auto found = verdicts_.upper_bound(begun);
+    return found == verdicts_.end() ? nullptr : &found->second;
+  }
 
  private:
   template <class T>
@@ -104,11 +112,22 @@ class Bridge {
   health_t health_{};
   SteadyTime heard_ = steady_now();
   std::map<std::pair<Utime, std::int64_t>, sweep_mark_t> marks_;
+  std::map<Utime, registration_t> verdicts_;  // By the sweep's last point.
 };
 
-int follow_sweep(Bridge& bridge) {
+int follow_registration(Bridge& bridge, Utime begun) {
+  const registration_t* verdict = nullptr;
+  while ((verdict = bridge.verdict_since(begun)) == nullptr) bridge.listen();
+  const char* what = verdict->accepted != 0 ? "accepted" : "refused";
+  const std::string line = fmt::format("{} is {}, probability {:.2f}", verdict->scan_name, what, verdict->probability);
+  std::puts(printable(verdict->accepted != 0 ? line : line + ": " + verdict->reason).c_str());
+  return verdict->accepted != 0 ? 0 : kRefused;
+}
+
+int follow_sweep(Bridge& bridge, bool registered) {
   const std::int64_t sweep = bridge.counter("sweep");
   bool begun = false;
+  Utime begun_at = 0;
   for (;; bridge.listen()) {
     const auto mark = bridge.mark_of(sweep);
     if (!mark) continue;
@@ -118,9 +137,11 @@ int follow_sweep(Bridge& bridge) {
       std::fflush(stdout);
       begun = true;
     }
+    if (mark->mark == sweep_mark_t::STARTED) begun_at = mark->utime;
     if (mark->mark == sweep_mark_t::ENDED) {
       std::puts(fmt::format("sweep {} has ended", sweep).c_str());
-      return 0;
+      std::fflush(stdout);
+      return registered ? follow_registration(bridge, begun_at) : 0;
     }
     if (mark->mark == sweep_mark_t::ABORTED) {
       std::puts(fmt::format("sweep {} was given up: {}", sweep, printable(mark->reason)).c_str());
@@ -144,7 +165,7 @@ int run_command(const CommandOptions& options) {
     std::puts(printable(bridge.summary()).c_str());
     return kRefused;
   }
-  if (message.command == Command::SWEEP) return follow_sweep(bridge);
+  if (message.command == Command::SWEEP) return follow_sweep(bridge, options.registered);
   std::puts("taken");
   return 0;
 }

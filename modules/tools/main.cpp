@@ -18,6 +18,7 @@
 #include "modules/tools/decode_lms.h"
 #include "modules/tools/decode_schunk.h"
 #include "modules/tools/decode_xsens.h"
+#include "modules/tools/drive/drive.h"
 #include "modules/tools/import_clouds.h"
 #include "modules/tools/info.h"
 #include "modules/tools/octomap_clouds.h"
@@ -26,6 +27,8 @@
 #include "modules/tools/register.h"
 #include "modules/tools/replay.h"
 #include "modules/tools/simulate.h"
+#include "modules/tools/simulate_compare.h"
+#include "modules/tools/simulate_places.h"
 #include "modules/tools/spy.h"
 
 namespace scanway::tools {
@@ -180,11 +183,14 @@ void add_spy(CLI::App& app, Action& action) {
 void add_simulate(CLI::App& app, Action& action) {
   static SimulateSweepOptions sweep_options;
   static SimulateTruthOptions truth_options;
+  static SimulatePlacesOptions places_options;
+  static SimulateCompareOptions compare_options;
   CLI::App* simulate = app.add_subcommand("simulate", "Sweeps and maps of made-up places, with their truth");
   simulate->require_subcommand(1);
   CLI::App* sweep = simulate->add_subcommand("sweep", "A sweep: a labelled cloud, or a log of the devices' messages");
   CLI::App* truth = simulate->add_subcommand("truth", "The world's own grid as a map file");
   CLI::App* worlds = simulate->add_subcommand("worlds", "The worlds that there are");
+  CLI::App* places = simulate->add_subcommand("places", "Places on a way through the world that the robot can drive");
   sweep->add_option("--world", sweep_options.world, "One of `scanway simulate worlds`")->required();
   sweep->add_option("--seed", sweep_options.seed, "Another seed is another world of the kind")->capture_default_str();
   sweep->add_option("--pose", sweep_options.poses, "Where the robot stands, m, m, rad; again for more sweeps in a log")
@@ -203,8 +209,23 @@ void add_simulate(CLI::App& app, Action& action) {
   truth->add_option("--resolution", truth_options.resolution_m, "Edge of a cell, m")->check(CLI::Range(0.005, 1.0));
   truth->add_option("--robot", truth_options.robot, "Robot file: its climbable step and height");
   truth->add_option("-o,--output", truth_options.output, "MAP.yaml")->required();
+  CLI::App* compare = simulate->add_subcommand("compare", "Poses and cost map of a replayed log against the truth");
+  compare->add_option("folder", compare_options.folder, "What scanway replay made of a simulated robot's log")->required();
+  compare->add_option("--world", compare_options.world, "The simulator's")->required();
+  compare->add_option("--seed", compare_options.seed, "The simulator's")->capture_default_str();
+  compare->add_flag("--json", compare_options.json, "One JSON document on stdout");
+  places->add_option("--world", places_options.world, "One of `scanway simulate worlds`")->required();
+  places->add_option("--seed", places_options.seed, "Another seed is another world of the kind")->capture_default_str();
+  places->add_option("--count", places_options.count, "How many")->check(CLI::Range(1, 1000))->capture_default_str();
+  places->add_option("--spacing", places_options.spacing_m, "m from one to the next; 0: spread over the whole way")
+      ->check(CLI::Range(0.0, 1000.0))
+      ->capture_default_str();
+  places->add_flag("--in-map", places_options.in_map, "In the frame of the map that is made on the bus");
+  places->add_option("--lcm-url", places_options.lcm_url, "The bus, for --in-map");
   sweep->callback([&action] { action = [] { return run_simulate_sweep(sweep_options); }; });
   truth->callback([&action] { action = [] { return run_simulate_truth(truth_options); }; });
+  compare->callback([&action] { action = [] { return run_simulate_compare(compare_options); }; });
+  places->callback([&action] { action = [] { return run_simulate_places(places_options); }; });
   worlds->callback([&action] { action = [] { return run_simulate_worlds(); }; });
 }
 
@@ -218,8 +239,20 @@ void add_command(CLI::App& app, Action& action) {
   command->add_option("--tilt-deg", options.tilt_deg, "move: where to; sweep: the tilt to hold");
   command->add_option("--pan-speed-deg-s", options.pan_speed_deg_s, "turn: with its sign; sweep: while it scans; move");
   command->add_option("--tilt-speed-deg-s", options.tilt_speed_deg_s, "turn: with its sign; move");
+  command->add_flag("--registered", options.registered, "sweep: wait for its place in the map, too");
   command->add_option("--lcm-url", options.lcm_url, "The bus (default: LCM_DEFAULT_URL, or multicast on this machine)");
   command->callback([&action] { action = [] { return run_command(options); }; });
+}
+
+void add_drive(CLI::App& app, Action& action) {
+  static DriveOptions options;
+  CLI::App* command = app.add_subcommand("drive", "Drive the robot along the planner's path to a goal");
+  add_point(command, "goal", options.goal_m, "m, in the map's frame")->required();
+  command->add_option("--speed-m-s", options.speed_m_s, "As fast as this")
+      ->check(CLI::Range(0.01, 2.0))
+      ->capture_default_str();
+  command->add_option("--lcm-url", options.lcm_url, "The bus (default: LCM_DEFAULT_URL, or multicast on this machine)");
+  command->callback([&action] { action = [] { return run_drive(options); }; });
 }
 
 void add_decode(CLI::App& app, Action& action) {
@@ -267,6 +300,7 @@ int run(int argc, char** argv) {
   add_spy(app, action);
   add_simulate(app, action);
   add_command(app, action);
+  add_drive(app, action);
   add_decode(app, action);
   try {
     app.parse(argc, argv);

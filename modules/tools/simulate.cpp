@@ -23,6 +23,7 @@
 #include "modules/simulator/core/simulator.h"
 #include "modules/simulator/files/labelled_pcd.h"
 #include "modules/simulator/node/raw_log.h"
+#include "modules/tools/simulated_world.h"
 #include "scanway/reference_pose_t.hpp"
 
 namespace scanway::tools {
@@ -33,15 +34,6 @@ using namespace scanway::simulator;
 constexpr Utime kLogBegins = 946'684'800 * kMicrosecondsPerSecond;  // As the logs of `scanway import` do.
 constexpr Utime kFirstSweepAfterBegin = 3 * kMicrosecondsPerSecond;
 constexpr Utime kBetweenSweeps = 20 * kMicrosecondsPerSecond;
-
-World world_of(const std::string& name, std::uint64_t seed) {
-  std::string known;
-  for (const WorldKind& kind : world_kinds()) {
-    if (kind.name == name) return make_world(name, seed);
-    known += (known.empty() ? "" : ", ") + std::string(kind.name);
-  }
-  throw InputError("--world " + scanway::quoted(name) + ": there is no such world; the worlds are " + known);
-}
 
 Robot robot_of(const std::string& file) { return file.empty() ? simulated_robot() : load_robot(file); }
 

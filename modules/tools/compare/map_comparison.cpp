@@ -1,0 +1,99 @@
+#include "modules/tools/compare/map_comparison.h"
+
+#include <cmath>
+
+#include "common/parallel/blocks.h"
+
+namespace scanway::tools {
+namespace {
+
+using simulator::CellTruth;
+using simulator::CellWindow;
+
+constexpr std::size_t kRowsAtOnce = 16;
+
+class MapInWorld {
+ public:
+  MapInWorld(const CostMap& map, const Pose& X_map_world) : map_(map), X_(X_map_world) {}
+
+  Cell cell(double x, double y) const {
+    const Eigen::Vector3d p = X_ * Eigen::Vector3d(x, y, 0.0);
+    const auto index = [&](double at, double origin) {
+      return static_cast<std::int32_t>(std::floor((at - origin) / map_.resolution_m));
+    };
+    return {index(p.x(), map_.origin_x_m), index(p.y(), map_.origin_y_m)};
+  }
+  CellState state(Cell cell) const { return map_.state(cell); }
+  bool marked_near(Cell cell) const {
+    const int reach = static_cast<int>(std::floor(kMarkReach_m / map_.resolution_m + 1e-6));
+    for (int dy = -reach; dy <= reach; ++dy) {
+      for (int dx = -reach; dx <= reach; ++dx) {
+        if (dx * dx + dy * dy > reach * reach) continue;
+        if (state({cell.x + dx, cell.y + dy}) == CellState::occupied) return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  const CostMap& map_;
+  Pose X_;
+};
+
+void count_free(CellState state, CellCounts& counts) {
+  ++counts.free;
+  if (state == CellState::occupied) ++counts.free_called_occupied;
+  if (state == CellState::unknown) ++counts.free_called_unknown;
+}
+
+void count_occupied(const MapInWorld& map, Cell cell, CellCounts& counts) {
+  ++counts.occupied;
+  if (map.state(cell) != CellState::free) return;
+  ++counts.occupied_called_free;
+  if (!map.marked_near(cell)) ++counts.occupied_unmarked;
+}
+
+}  // namespace
+
+CellCounts& CellCounts::operator+=(const CellCounts& other) {
+  free += other.free;
+  free_called_occupied += other.free_called_occupied;
+  free_called_unknown += other.free_called_unknown;
+  occupied += other.occupied;
+  occupied_called_free += other.occupied_called_free;
+  occupied_unmarked += other.occupied_unmarked;
+  return *this;
+}
+
+MapComparison& MapComparison::operator+=(const MapComparison& other) {
+  one += other.one;
+  two += other.two;
+  return *this;
+}
+
+MapComparison compare(const CostMap& map, const Pose& X_map_world, const simulator::TruthGrid& truth,
+                      const SeenGround& seen) {
+  const MapInWorld in_world(map, X_map_world);
+  const CellWindow& window = seen.window;
+  const auto width = static_cast<std::size_t>(window.width());
+  return sum_blocks(window.size(), kRowsAtOnce * width, MapComparison{}, [&](std::size_t begin, std::size_t end) {
+    MapComparison part;
+    for (std::size_t i = begin; i < end; ++i) {
+      if (seen.near[i] == 0) continue;
+      const Cell at{window.low_x + static_cast<std::int32_t>(i % width),
+                    window.low_y + static_cast<std::int32_t>(i / width)};
+      const CellTruth here = truth.at(at);
+      if (here == CellTruth::unknown) continue;
+      const bool free = here == CellTruth::free;
+      const int sweeps = free ? seen.visible[i] : seen.near[i];
+      if (sweeps == 0) continue;
+      CellCounts& counts = sweeps == 1 ? part.one : part.two;
+      const Cell cell = in_world.cell(window.centre(at.x), window.centre(at.y));
+      if (free) count_free(in_world.state(cell), counts);
+      if (!free) count_occupied(in_world, cell, counts);
+    }
+    return part;
+  });
+}
+
+}  // namespace scanway::tools
