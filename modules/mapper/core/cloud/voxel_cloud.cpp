@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <stdexcept>
+#include <utility>
 
 #include "modules/mapper/core/cloud/radix_sort.h"
 
@@ -36,10 +38,48 @@ std::uint64_t gather_bits(std::uint64_t v) {
   return v;
 }
 
+/// std::floor, for numbers that an int64 holds, without a call where the CPU need not have an instruction for it.
+std::int64_t floor_of(double v) {
+  const auto truncated = static_cast<std::int64_t>(v);
+  return truncated - (static_cast<double>(truncated) > v ? 1 : 0);
+}
+
 std::int64_t fixed_intensity(float intensity) {
   if (!std::isfinite(intensity)) return 0;
   const double clamped = std::clamp(static_cast<double>(intensity), -kIntensityLimit, kIntensityLimit);
-  return static_cast<std::int64_t>(std::floor(clamped * kIntensityUnit + 0.5));
+  return floor_of(clamped * kIntensityUnit + 0.5);
+}
+
+/// A point on its way to its voxel.
+struct Entry {
+  std::uint64_t key;
+  std::uint32_t offset;  ///< Three times kFractionBits.
+  std::uint32_t index;
+};
+
+/// False for a point out of the extent, or not finite.
+bool locate(const Eigen::Vector3f& point, double scale, Entry& entry) {
+  for (int k = 0; k < 3; ++k) {
+    const double fixed = static_cast<double>(point[k]) * scale + 0.5;
+    if (!(std::fabs(fixed) < static_cast<double>(kHalfExtent * kFractions))) return false;
+    const auto units = static_cast<std::uint64_t>(floor_of(fixed) + kHalfExtent * kFractions);
+    entry.key |= spread_bits(units >> kFractionBits) << k;
+    entry.offset |= static_cast<std::uint32_t>(units & (kFractions - 1)) << (kFractionBits * k);
+  }
+  return true;
+}
+
+std::size_t count_keys(const std::vector<Entry>& sorted) {
+  std::size_t count = sorted.empty() ? 0 : 1;
+  for (std::size_t i = 1; i < sorted.size(); ++i) count += sorted[i].key != sorted[i - 1].key ? 1 : 0;
+  return count;
+}
+
+template <class Voxel>
+std::size_t count_points(const std::vector<Voxel>& voxels) {
+  std::size_t count = 0;
+  for (const Voxel& voxel : voxels) count += voxel.count;
+  return count;
 }
 
 /// The sums of `a` and `b`, both by key, into one by key.
@@ -69,32 +109,18 @@ std::vector<Voxel> merged(const std::vector<Voxel>& a, const std::vector<Voxel>&
 
 VoxelCloud::VoxelCloud(double voxel_m) : voxel_m_(voxel_m) {}
 
-std::vector<VoxelCloud::Voxel> VoxelCloud::voxels_of(const MapPoints& points) {
-  struct Entry {
-    std::uint64_t key;
-    std::uint32_t offset;  ///< Three times kFractionBits.
-    std::uint32_t index;
-  };
+std::vector<VoxelCloud::Voxel> VoxelCloud::voxels_of(const MapPoints& points) const {
   std::vector<Entry> entries;
   entries.reserve(points.points.size());
   const double scale = static_cast<double>(kFractions) / voxel_m_;
   for (std::size_t i = 0; i < points.points.size(); ++i) {
     Entry entry{0, 0, static_cast<std::uint32_t>(i)};
-    bool inside = true;
-    for (int k = 0; k < 3; ++k) {
-      const double fixed = std::floor(static_cast<double>(points.points[i][k]) * scale + 0.5);
-      inside = inside && std::fabs(fixed) < static_cast<double>(kHalfExtent * kFractions);
-      if (!inside) break;
-      const auto units = static_cast<std::uint64_t>(static_cast<std::int64_t>(fixed) + kHalfExtent * kFractions);
-      entry.key |= spread_bits(units >> kFractionBits) << k;
-      entry.offset |= static_cast<std::uint32_t>(units & (kFractions - 1)) << (kFractionBits * k);
-    }
-    if (inside) entries.push_back(entry);
+    if (locate(points.points[i], scale, entry)) entries.push_back(entry);
   }
-  points_out_of_extent_ += points.points.size() - entries.size();
   radix_sort_by_key(entries);
 
   std::vector<Voxel> voxels;
+  voxels.reserve(count_keys(entries));
   for (const Entry& entry : entries) {
     if (voxels.empty() || voxels.back().key != entry.key) voxels.push_back({.key = entry.key});
     Voxel& voxel = voxels.back();
@@ -108,8 +134,27 @@ std::vector<VoxelCloud::Voxel> VoxelCloud::voxels_of(const MapPoints& points) {
 }
 
 void VoxelCloud::add(const MapPoints& points) {
-  const std::vector<Voxel> added = voxels_of(points);
-  voxels_ = voxels_.empty() ? added : merged(voxels_, added);
+  std::vector<Voxel> added = voxels_of(points);
+  points_out_of_extent_ += points.points.size() - count_points(added);
+  voxels_ = voxels_.empty() ? std::move(added) : merged(voxels_, added);
+}
+
+void VoxelCloud::remove(const MapPoints& points) {
+  const std::vector<Voxel> removed = voxels_of(points);
+  points_out_of_extent_ -= points.points.size() - count_points(removed);
+  auto voxel = voxels_.begin();
+  for (const Voxel& minus : removed) {
+    voxel = std::lower_bound(voxel, voxels_.end(), minus.key,
+                             [](const Voxel& v, std::uint64_t key) { return v.key < key; });
+    if (voxel == voxels_.end() || voxel->key != minus.key || voxel->count < minus.count) {
+      throw std::invalid_argument("VoxelCloud::remove: points that were never added");
+    }
+    voxel->count -= minus.count;
+    voxel->with_intensity -= minus.with_intensity;
+    for (std::size_t k = 0; k < 3; ++k) voxel->offset_sum[k] -= minus.offset_sum[k];
+    voxel->intensity_sum -= minus.intensity_sum;
+  }
+  std::erase_if(voxels_, [](const Voxel& v) { return v.count == 0; });
 }
 
 PointCloud VoxelCloud::centroids() const {

@@ -22,6 +22,8 @@ class VoxelCloud {
 
   /// Adds the points (in the map frame; not finite ones are left out).
   void add(const MapPoints& points);
+  /// Takes points away that were added before, the same to the bit: the cloud is then the one that never had them.
+  void remove(const MapPoints& points);
 
   /// Centroids in Morton order of their voxels, in the map frame, with the mean intensity (when points had any).
   PointCloud centroids() const;
@@ -40,7 +42,7 @@ class VoxelCloud {
     std::int64_t intensity_sum = 0;
   };
 
-  std::vector<Voxel> voxels_of(const MapPoints& points);
+  std::vector<Voxel> voxels_of(const MapPoints& points) const;
 
   double voxel_m_;
   std::vector<Voxel> voxels_;  ///< By key.

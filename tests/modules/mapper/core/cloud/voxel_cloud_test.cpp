@@ -139,5 +139,24 @@ TEST(PointsInMap, OnlyFinitePointsWithinRangeAndTheirIntensity) {
   EXPECT_EQ(points.intensity, (std::vector<float>{2, 5}));
 }
 
+TEST(VoxelCloud, ASweepThatIsTakenAwayLeavesNothing) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  for (const bool with_intensity : {false, true}) {
+    const MapPoints a = random_points(5000, 3.0, 1), c = random_points(5000, 2.0, 3);
+    MapPoints b = random_points(5000, 3.0, 2, with_intensity);
+    b.points[7] = {nan, 0.0f, 0.0f};
+    VoxelCloud never(0.01), taken(0.01);
+    taken.add(a);
+    taken.add(b);
+    taken.add(c);
+    never.add(a);
+    never.add(c);
+    taken.remove(b);
+    EXPECT_TRUE(same_bytes(taken.centroids(), never.centroids()));
+    EXPECT_EQ(taken.points_out_of_extent(), 0u);
+    EXPECT_THROW(taken.remove(b), std::invalid_argument);
+  }
+}
+
 }  // namespace
 }  // namespace scanway

@@ -1,0 +1,118 @@
+#include "modules/mapper/core/costmap/evidence_history.h"
+
+#include <algorithm>
+#include <set>
+
+namespace scanway {
+namespace {
+
+using Plane = std::array<std::uint8_t, CostTile::kCells>;
+
+constexpr std::size_t kSide = CostTile::kSide;
+constexpr std::size_t kLongestRun = 256;
+
+void pack(const Plane& plane, std::vector<std::uint8_t>& runs) {
+  const auto difference = [&](std::size_t cell) {
+    return static_cast<std::uint8_t>(plane[cell] ^ (cell < kSide ? 0 : plane[cell - kSide]));
+  };
+  for (std::size_t begin = 0, end = 0; begin < plane.size(); begin = end) {
+    while (end < plane.size() && end - begin < kLongestRun && difference(end) == difference(begin)) ++end;
+    runs.push_back(static_cast<std::uint8_t>(end - begin - 1));
+    runs.push_back(difference(begin));
+  }
+}
+
+/// Returns where the plane's runs end.
+const std::uint8_t* unpack(const std::uint8_t* runs, Plane& plane) {
+  for (std::size_t cell = 0; cell < plane.size(); runs += 2) {
+    for (const std::size_t end = cell + runs[0] + 1; cell < end; ++cell) {
+      plane[cell] = static_cast<std::uint8_t>(runs[1] ^ (cell < kSide ? 0 : plane[cell - kSide]));
+    }
+  }
+  return runs;
+}
+
+/// Where the evidence has a view, it wins.
+void overlay(const EvidenceTile& evidence, CostTile& tile) {
+  for (std::size_t cell = 0; cell < CostTile::kCells; ++cell) {
+    const CellState state = evidence.state(cell);
+    tile.state[cell] = state == CellState::unknown ? tile.state[cell] : state;
+  }
+}
+
+bool says_anything(const EvidenceTile& evidence) {
+  for (std::size_t cell = 0; cell < CostTile::kCells; ++cell) {
+    if (evidence.state(cell) != CellState::unknown) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+PackedEvidence::PackedEvidence(const EvidenceTile& tile) {
+  pack(tile.returns, runs_);
+  pack(tile.beams, runs_);
+  pack(tile.ground, runs_);
+  runs_.shrink_to_fit();
+}
+
+EvidenceTile PackedEvidence::unpacked() const {
+  EvidenceTile tile;
+  const std::uint8_t* runs = unpack(runs_.data(), tile.returns);
+  runs = unpack(runs, tile.beams);
+  unpack(runs, tile.ground);
+  return tile;
+}
+
+std::vector<Cell> EvidenceHistory::put(CostMap& map, SweepNumber sweep, const SweepEvidence& evidence) {
+  const std::vector<Cell> before = forget(sweep);
+  std::set<Cell> anew(before.begin(), before.end());
+  std::set<Cell> touched = anew;
+  for (const auto& [index, tile] : evidence) {
+    if (!says_anything(tile)) continue;
+    TileHistory& history = tiles_[index];
+    const bool newest = history.empty() || history.rbegin()->first < sweep;
+    history.emplace(sweep, tile);
+    touched.insert(index);
+    if (newest && !anew.contains(index)) {
+      overlay(tile, map.tiles[index]);
+    } else {
+      anew.insert(index);
+    }
+  }
+  for (const Cell& index : anew) project(map, index);
+  return {touched.begin(), touched.end()};
+}
+
+std::vector<Cell> EvidenceHistory::withdraw(CostMap& map, SweepNumber sweep) {
+  const std::vector<Cell> touched = forget(sweep);
+  for (const Cell& index : touched) project(map, index);
+  return touched;
+}
+
+std::vector<Cell> EvidenceHistory::forget(SweepNumber sweep) {
+  std::vector<Cell> touched;
+  for (auto tile = tiles_.begin(); tile != tiles_.end();) {
+    if (tile->second.erase(sweep) > 0) touched.push_back(tile->first);
+    tile = tile->second.empty() ? tiles_.erase(tile) : std::next(tile);
+  }
+  return touched;
+}
+
+void EvidenceHistory::project(CostMap& map, Cell index) const {
+  CostTile& tile = map.tiles[index];
+  tile.state.fill(CellState::unknown);
+  const auto history = tiles_.find(index);
+  if (history == tiles_.end()) return;
+  for (const auto& [sweep, packed] : history->second) overlay(packed.unpacked(), tile);
+}
+
+std::size_t EvidenceHistory::bytes() const {
+  std::size_t bytes = 0;
+  for (const auto& [index, history] : tiles_) {
+    for (const auto& [sweep, packed] : history) bytes += packed.bytes();
+  }
+  return bytes;
+}
+
+}  // namespace scanway

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "common/grid/cost_map.h"
+#include "modules/mapper/core/costmap/evidence.h"
+
+namespace scanway {
+
+/// Which sweep: the greater, the newer.
+using SweepNumber = std::uint64_t;
+
+/// A tile of evidence in a few hundred bytes, without loss: of each quantity, runs of how a row differs from the one
+/// before it.
+class PackedEvidence {
+ public:
+  explicit PackedEvidence(const EvidenceTile& tile);
+  EvidenceTile unpacked() const;
+  std::size_t bytes() const { return runs_.size(); }
+
+ private:
+  std::vector<std::uint8_t> runs_;  ///< Pairs: how many cells less one, and their difference.
+};
+
+/// What every sweep says of the map's cells, each for itself, and the states that follow: of all sweeps with a view of
+/// a cell, the newest has its say. A thing that stood there in an older sweep alone is so gone from the map, and any
+/// sweep can be withdrawn or moved afterwards: the states are then those of a map that never had it there.
+///
+/// Each function brings the states of `map` up to date (only they and this class may set them) and returns the tiles
+/// that it touched, in order: what embody() must look at.
+class EvidenceHistory {
+ public:
+  /// Adds a sweep, or puts other evidence in the place of what it said before, as when its pose was corrected. It keeps
+  /// its place among the others by its number, whenever it comes.
+  std::vector<Cell> put(CostMap& map, SweepNumber sweep, const SweepEvidence& evidence);
+  /// Nothing happens when there is no such sweep.
+  std::vector<Cell> withdraw(CostMap& map, SweepNumber sweep);
+
+  std::size_t bytes() const;  ///< Of all evidence, packed.
+
+ private:
+  using TileHistory = std::map<SweepNumber, PackedEvidence>;  ///< Oldest first.
+
+  std::vector<Cell> forget(SweepNumber sweep);
+  void project(CostMap& map, Cell index) const;
+
+  std::map<Cell, TileHistory> tiles_;
+};
+
+}  // namespace scanway
