@@ -56,12 +56,14 @@ Odometry::Step Odometry::add(const MotorReport& report, Utime now) {
     }
   }
   was_away_ = false;
-  last_ = Last{report.x_counts, report.y_counts, now};
+  last_ = Last{report.x_counts, report.y_counts, now, begins_anew(report)};
   update(report, now);
   return step;
 }
 
 Odometry::Step Odometry::anchor(const MotorReport& report) {
+  // One that has not gone anywhere yet says the same, restarted or not.
+  if (last_ && last_->at_zero && begins_anew(report)) return Step::added;
   const Step step = !begun_ ? Step::first : begins_anew(report) ? Step::restarted : Step::continued;
   if (step == Step::restarted) turn_ = pose_.heading;
   begun_ = true;

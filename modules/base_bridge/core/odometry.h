@@ -47,6 +47,7 @@ class Odometry {
   struct Last {
     std::uint16_t x_counts = 0, y_counts = 0;
     Utime utime = 0;
+    bool at_zero = false;
   };
 
   Step anchor(const MotorReport& report);

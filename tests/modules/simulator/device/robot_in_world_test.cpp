@@ -2,59 +2,13 @@
 
 #include <cmath>
 
-#include "common/clock/host_time.h"
-#include "common/clock/steady_time.h"
-#include "modules/base_bridge/device/base_driver.h"
-#include "modules/schunk_bridge/device/pan_tilt_driver.h"
-#include "modules/sick_bridge/device/lms_device.h"
-#include "tests/modules/simulator/core/test_worlds.h"
+#include "tests/modules/simulator/device/robot_in_room.h"
 #include "tests/modules/simulator/device/shared_facts.h"
 
 namespace scanway::test {
 namespace {
 
-using namespace simulator;
-
 constexpr double kBeam_us = 40'000.0 / 2160.0;
-
-/// The robot in a room, and the bridges' devices at the ends of its cables.
-class RobotInRoom : public testing::Test {
- protected:
-  template <class Done>
-  bool run_until(const Done& done) {
-    for (const Utime limit = steady_now() + 20 * kMicrosecondsPerSecond; steady_now() < limit;) {
-      simulated.run(std::llround(static_cast<double>(now()) * speed), 1);
-      pan_tilt.step(0);
-      base.step(0);
-      for (auto& scan : lms.run(0).scans) {
-        utimes.push_back(scan.utime);
-        scans.push_back(std::move(scan.scan));
-      }
-      if (done()) return true;
-    }
-    return false;
-  }
-  Utime now() const { return steady_now() - began; }
-  static Stand stand() {
-    Stand stand;
-    stand.X_world_base = simulator::test::tilted_pose(0.5, 1.0, 0.0, 0.7);
-    return stand;
-  }
-
-  const simulator::test::Room room;
-  const World world = room.world();
-  const Robot robot = simulated_robot();
-  ScratchFolder folder;
-  const DeviceEnds ends{0, "unix:" + (folder / "can"), folder / "tracker", folder / "base"};
-  RobotInWorld simulated{world, robot, stand(), 7, 4, ends};
-  sick::LmsDevice lms{{"127.0.0.1", simulated.lms_port()}, {}};
-  schunk::PanTiltDriver pan_tilt{ends.can, {}};
-  erratic::BaseDriver base{ends.base, {}};
-  std::vector<sick::Scan> scans;
-  std::vector<Utime> utimes;  // By the bridge, on the host's clock.
-  const Utime began = steady_now(), host_began = host_now();
-  double speed = 1.0;
-};
 
 /// How many of the scan's ranges are a wall's, and how many are not; beams at corners and on the robot do not count.
 /// `start`: of the first beam, on the robot's clock; `beam_us`: from one to the next, on the same.

@@ -32,5 +32,25 @@ TEST(SimulatorProgram, ServesItsDevicesAndLeavesNothingBehind) {
   EXPECT_FALSE(std::filesystem::exists(can) || std::filesystem::is_symlink(tracker));
 }
 
+TEST(SimulatorProgram, HearsFaultsOnItsInputAndByOption) {
+  if (!enter_private_network()) GTEST_SKIP() << "network namespaces are not permitted here (unshare --net)";
+  const ScratchFolder folder;
+  const std::string start = "exec '" + std::string(SCANWAY_BIN_DIR) +
+                            "/scanway-simulator' --world flat --lms-port 0 --can 'unix:" + (folder / "can") +
+                            "' --tracker '" + (folder / "tracker") + "' --base '" + (folder / "base") +
+                            "' --lcm-url 'udpm://239.255.76.67:7667?ttl=0' ";
+  const auto lived = run_command({"sh", "-c",
+                                  "{ sleep 1; echo range-bias=0.1; echo no-such; sleep 1; } | timeout 3 sh -c \"" +
+                                      start + "--fault dirty-window=0.8@0+0.5\""});
+  EXPECT_NE(lived.err.find("fault slip=0.02"), std::string::npos) << lived.err;
+  EXPECT_NE(lived.err.find("fault dirty-window=0.8"), std::string::npos) << lived.err;
+  EXPECT_NE(lived.err.find("fault dirty-window has ended"), std::string::npos) << lived.err;
+  EXPECT_NE(lived.err.find("fault range-bias=0.1"), std::string::npos) << lived.err;
+  EXPECT_NE(lived.err.find("there is no such fault"), std::string::npos) << lived.err;
+  const auto refused = run_command({"sh", "-c", start + "--fault nonsense"});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("there is no such fault"), std::string::npos) << refused.err;
+}
+
 }  // namespace
 }  // namespace scanway::test
