@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -54,23 +55,42 @@ bool contains(const std::vector<Eigen::Vector2d>& polygon, const Eigen::Vector2d
   return inside;
 }
 
+double distance_to_outline(const std::vector<Eigen::Vector2d>& polygon, const Eigen::Vector2d& p) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+    const Eigen::Vector2d a = polygon[j], along = polygon[i] - a;
+    const double share = std::clamp((p - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
+    least = std::min(least, (p - a - share * along).norm());
+  }
+  return least;
+}
+
+/// Around itself the robot's body hides the ground from its laser, about so far. There a beam that passes below the
+/// body's height will do, where elsewhere it must pass close to the ground: else no robot could leave its first place.
+constexpr double kOwnShadow_m = 0.12;
+
+/// The ground below the body is free, and that in its shadow unless something stands there.
 void stand(SweepEvidence& evidence, const Robot::Body& body, const Pose& X_map_sweep, double resolution) {
   std::vector<Eigen::Vector2d> corners;
   double reach = 0.0;
   const Eigen::Vector3d centre = X_map_sweep.translation();
   for (const Eigen::Vector2d& corner : body.footprint) {
     corners.push_back(transform_in_order(X_map_sweep, {corner.x(), corner.y(), 0.0}).head<2>());
-    reach = std::max(reach, (corners.back() - centre.head<2>()).norm());
+    reach = std::max(reach, (corners.back() - centre.head<2>()).norm() + kOwnShadow_m);
   }
   const Cell low = cell_at(centre.x() - reach, centre.y() - reach, resolution);
   const Cell high = cell_at(centre.x() + reach, centre.y() + reach, resolution);
   for (std::int32_t y = low.y; y <= high.y; ++y) {
     for (std::int32_t x = low.x; x <= high.x; ++x) {
-      if (!contains(corners, {(x + 0.5) * resolution, (y + 0.5) * resolution})) continue;
+      const Eigen::Vector2d at((x + 0.5) * resolution, (y + 0.5) * resolution);
+      const bool below = contains(corners, at);
+      if (!below && distance_to_outline(corners, at) > kOwnShadow_m) continue;
       EvidenceTile& tile = evidence[CostMap::tile_of({x, y})];
       const std::size_t cell = CostMap::index_in_tile({x, y});
+      if (!below && (tile.returns[cell] != 0 || tile.ground[cell] == 0 || tile.beams[cell] != 0)) continue;
       tile.returns[cell] = 0;
-      tile.beams[cell] = tile.ground[cell] = 1;
+      tile.beams[cell] = below ? 1 : EvidenceTile::kOwnShadow;
+      if (below) tile.ground[cell] = 1;
     }
   }
 }
@@ -118,6 +138,7 @@ void apply_evidence(CostMap& map, const SweepEvidence& evidence) {
       const CellState state = tile.state(cell);
       if (state == CellState::unknown) continue;
       if (target == nullptr) target = &map.tiles[index];
+      if (tile.yields(cell) && target->state[cell] != CellState::unknown) continue;
       target->state[cell] = state;
     }
   }

@@ -24,13 +24,20 @@ struct EvidenceTile {
     if (returns[cell] > 0) return CellState::occupied;
     return beams[cell] > 0 && ground[cell] > 0 ? CellState::free : CellState::unknown;
   }
+  /// Whether what any older sweep saw of the cell counts for more.
+  bool yields(std::size_t cell) const { return beams[cell] == kOwnShadow; }
+
+  /// In place of 1: beams passed below the body's height, over ground that the body hides from its own laser.
+  static constexpr std::uint8_t kOwnShadow = 2;
 };
 
 /// One sweep's evidence, by tile index of the cost map.
 using SweepEvidence = std::map<Cell, EvidenceTile>;
 
 /// The evidence of a sweep, from its obstacle returns, its ground and what it saw. The cells under the robot's
-/// footprint at X_map_sweep are free: the robot stands there, and no beam of its own can show it.
+/// footprint at X_map_sweep are free: the robot stands there, and no beam of its own can show it. Close around it,
+/// where its body hides the ground, cells are free that nothing says more of: else no robot could leave its first
+/// place.
 SweepEvidence gather_evidence(const std::vector<ObstacleReturn>& obstacles, const GroundSurface& ground,
                               const SweepView& view, const Robot::Body& body, const Pose& X_map_sweep,
                               double resolution_m);

@@ -36,7 +36,8 @@ const std::uint8_t* unpack(const std::uint8_t* runs, Plane& plane) {
 void overlay(const EvidenceTile& evidence, CostTile& tile) {
   for (std::size_t cell = 0; cell < CostTile::kCells; ++cell) {
     const CellState state = evidence.state(cell);
-    tile.state[cell] = state == CellState::unknown ? tile.state[cell] : state;
+    if (state == CellState::unknown) continue;
+    if (!evidence.yields(cell) || tile.state[cell] == CellState::unknown) tile.state[cell] = state;
   }
 }
 
