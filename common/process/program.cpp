@@ -81,10 +81,15 @@ int run_main(const std::string& name, const std::string& purpose, int argc, char
 }
 
 int run_program(const std::string& name, const std::string& purpose, int argc, char** argv,
-                const std::function<int(const ProgramOptions&)>& work) {
+                const std::function<int(const ProgramOptions&)>& work,
+                const std::function<void(CLI::App&)>& add_own) {
   ProgramOptions options;
   return run_main(
-      name, purpose, argc, argv, [&options](CLI::App& app) { add_options(app, options); },
+      name, purpose, argc, argv,
+      [&](CLI::App& app) {
+        add_options(app, options);
+        if (add_own) add_own(app);
+      },
       [&options, &work] {
         const tbb::global_control limit(
             tbb::global_control::max_allowed_parallelism,

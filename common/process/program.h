@@ -34,9 +34,10 @@ class StartAgain : public std::runtime_error {
 int run_main(const std::string& name, const std::string& purpose, int argc, char** argv,
              const std::function<void(CLI::App&)>& add_options, const std::function<int()>& work);
 
-/// main() of a program of the bus that computes.
+/// main() of a program of the bus that computes. `add_own`: options of its own.
 int run_program(const std::string& name, const std::string& purpose, int argc, char** argv,
-                const std::function<int(const ProgramOptions&)>& work);
+                const std::function<int(const ProgramOptions&)>& work,
+                const std::function<void(CLI::App&)>& add_own = {});
 
 /// The robot of the file that the options (of a program or a bridge) name.
 Robot robot_of(const std::string& file);

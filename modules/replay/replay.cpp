@@ -158,9 +158,11 @@ bool Replay::is_left_aside(const LogEvent& event) const {
   }
 }
 
-void Replay::tell_params(Utime begin) {
-  bus_.begin(begin);
-  publish_object(bus_, channel::kParams, encode(params_message(begin, robot_text(robot_))), kParamsKey, 1, begin);
+void Replay::begin(Utime utime) {
+  bus_.begin(utime);
+  publish_object(bus_, channel::kParams, encode(params_message(utime, robot_text(robot_))), kParamsKey, 1, utime);
+  if (continued_) mapper_.resume(*continued_);
+  bus_.dispatch();
 }
 
 void Replay::note_scan(const BusMessage& bytes) {

@@ -41,6 +41,10 @@ class Replay {
   /// `story.assembled` is made of its lines, and what the log holds of it on SWEEP is left aside.
   Replay(const Robot& robot, LogWriter& recording, LogStory story = {});
 
+  /// The log goes on with the map of another session. Before run().
+  void resume(SweepStore map) { continued_ = std::move(map); }
+  /// Keeps the sweeps of the map in `store`, which is empty and must outlive this. Before run().
+  void keep_in(const SweepStore& store) { mapper_.keep_in(store); }
   /// Feeds the whole log. `progress` is told how far it is, from 0 to 1, now and then.
   void run(LogReader& log, const std::function<void(double)>& progress = {});
 
@@ -76,6 +80,7 @@ class Replay {
   StageTimer run_timer_;
   ScanTimer scan_timer_;
   const AssembledSweeps assembled_;
+  std::optional<SweepStore> continued_;
   MapperNode mapper_;
   SweepAssembler assembler_;
   PlannerNode planner_;

@@ -146,9 +146,11 @@ void add_replay(CLI::App& app, Action& action) {
   command->add_option("log", options.log, "The log")->required();
   auto* output = command->add_option("-o,--output", options.output, "Folder for the products");
   command->add_option("--robot", options.robot, "Robot file in place of the log's own configuration");
+  command->add_option("--resume", options.resumed, "Folder of kept sweeps: the log goes on with their map");
+  auto* keep = command->add_option("--keep", options.kept, "Folder to keep the map's sweeps in, for --resume");
   static bool verifies = false;
   auto* verify = command->add_flag("--verify", verifies, "Compare the log's own products with what its inputs give");
-  verify->excludes(output);
+  verify->excludes(output)->excludes(keep);
   command
       ->add_option("--played", options.played, "The log that was played to the processes: name what they did not use")
       ->needs(verify);

@@ -25,6 +25,9 @@ struct PlacedSweep {
   Pose X_map_sweep = Pose::Identity();
 };
 
+/// Where the tracker says that up is, in the sweep's frame.
+std::optional<Eigen::Vector3d> up_of(const PlacedSweep& sweep);
+
 /// A sweep registered to one of the map's.
 struct Link {
   std::size_t target = 0;
@@ -39,7 +42,7 @@ struct Location {
 
 /// Where a sweep belongs among those of the map: registered to the newest sweep that takes it, then to those that, by
 /// the pose that this gives, see most of what it sees. Each registration is a search of its own, so that they can
-/// contradict each other.
+/// contradict each other. The first sweep of a session is registered to all of the map: nothing says where it is.
 class Locator {
  public:
   Locator(const Robot& robot, const RegistrationConfig& config) : tracker_(robot.tracker), config_(config) {}

@@ -48,6 +48,9 @@ class Map {
   /// closes the next version.
   void succeed(const Map& before, MapChange& change);
 
+  /// What stands here is the first version of a map that goes on.
+  void restart_versions() { version_ = 1; }
+
   const VoxelCloud& cloud() const { return cloud_; }
   const OccupancyTree& occupancy_tree() const { return tree_; }
   const CostMap& cost_map() const { return cost_map_; }

@@ -7,8 +7,6 @@ namespace scanway {
 namespace {
 
 constexpr std::size_t kMinPoints = 1000;  // fewer show no place that could be found again
-// Products follow when a sweep moved by a cell of the cost map, or by as much at 10 m.
-constexpr double kMovedShift = 0.01, kMovedTurn = 0.001;
 
 std::size_t usable_points(const Sweep& sweep, const Robot& robot) {
   return points_in_map(sweep, Pose::Identity(), robot.laser.min_range_m, robot.laser.max_range_m).points.size();
@@ -41,15 +39,30 @@ std::string said_of(const std::vector<Link>& links, const SweepGraph& graph) {
   return said;
 }
 
+std::string not_found(std::size_t searched, const RegistrationResult& newest) {
+  std::string reason = "Not found in the map that it should continue, at none of its ";
+  reason += std::to_string(searched);
+  reason += " sweeps; at the last one: ";
+  return reason + newest.reason;
+}
+
 }  // namespace
 
-Mapper::Mapper(const Robot& robot, std::uint64_t seed)
+Mapper::Mapper(const Robot& robot, std::uint64_t seed, const ToleratedMove& tolerated,
+               std::unique_ptr<SweepArchive> sweeps)
     : robot_(robot),
       seed_(seed),
+      tolerated_(tolerated),
       registration_{robot.laser.min_range_m, robot.laser.max_range_m, seed},
       locator_(robot, registration_),
       map_(std::make_unique<Map>(robot, seed)),
-      graph_(robot) {}
+      graph_(robot),
+      sweeps_(std::move(sweeps)) {}
+
+void Mapper::begin_session() {
+  ++session_;
+  if (map_->version() > 0) map_->restart_versions();
+}
 
 SweepResult Mapper::add(const Sweep& sweep, StageListener* stages) {
   SweepResult result = place(sweep, stages);
@@ -58,7 +71,7 @@ SweepResult Mapper::add(const Sweep& sweep, StageListener* stages) {
   result.change.version = map_->version();
   if (result.verdict == Verdict::accepted) {
     result.correction = correction();
-    sweeps_.keep(sweep);
+    sweeps_->keep(sweep);
     trajectory_.push_back({sweep.utime, result.X_map_sweep});
     result.change = result.correction.remade > 0 ? remake(stages) : map_->merge(sweep, result.X_map_sweep, stages);
   }
@@ -95,11 +108,12 @@ SweepResult Mapper::place_first(const Sweep& sweep, PlacedSweep placed) {
 
 SweepResult Mapper::place_among(PlacedSweep placed, StageListener* stages) {
   SweepResult result;
+  const bool goes_on = graph_.sweeps().back().session == placed.session;
   const Location location = locator_.locate(placed, graph_.sweeps(), stages);
   if (location.links.empty()) {
     result.target = graph_.sweeps()[*location.refused_by].name;
     result.registration = *location.refusal;
-    result.reason = result.registration.reason;
+    result.reason = goes_on ? result.registration.reason : not_found(graph_.sweeps().size(), result.registration);
     return result;
   }
   begin_stage(stages, "graph");
@@ -126,17 +140,18 @@ MapCorrection Mapper::correction() const {
     correction.shift_m = std::max(correction.shift_m, (sweep.X_map_sweep * sweep.origin - held * sweep.origin).norm());
     correction.turn = std::max(correction.turn, rotation_angle(held.linear().transpose() * sweep.X_map_sweep.linear()));
   }
-  const bool moved = correction.shift_m > kMovedShift || correction.turn > kMovedTurn;
+  const bool moved = correction.shift_m > tolerated_.shift_m || correction.turn > tolerated_.turn;
   correction.remade = moved ? trajectory_.size() : 0;
   return correction;
 }
 
 MapChange Mapper::remake(StageListener* stages) {
+  begin_stage(stages, "remake");
   auto remade = std::make_unique<Map>(robot_, seed_);
   MapChange change;
   for (std::size_t i = 0; i < trajectory_.size(); ++i) {
     trajectory_[i].X_map_sweep = graph_.sweeps()[i].X_map_sweep;
-    change = remade->merge(sweeps_.fetch(i), trajectory_[i].X_map_sweep, stages);
+    change = remade->merge(sweeps_->fetch(i), trajectory_[i].X_map_sweep);
   }
   remade->succeed(*map_, change);
   map_ = std::move(remade);

@@ -24,6 +24,12 @@ struct TrajectoryPoint {
   Pose X_map_sweep = Pose::Identity();
 };
 
+/// How far poses may move before the products follow: a cell of the cost map, or as much at 10 m.
+struct ToleratedMove {
+  double shift_m = 0.01;
+  double turn = 0.001;  ///< Radians.
+};
+
 /// That a new sweep moved the earlier ones so far that the map was made again.
 struct MapCorrection {
   std::size_t remade = 0;  ///< Sweeps that the map was made of again; 0: none had to move.
@@ -47,16 +53,18 @@ struct SweepResult {
 /// The mapper: sweeps in, in the order of their time, a map out. A refused sweep changes no product.
 class Mapper {
  public:
-  explicit Mapper(const Robot& robot, std::uint64_t seed = 1);
+  explicit Mapper(const Robot& robot, std::uint64_t seed = 1, const ToleratedMove& tolerated = {},
+                  std::unique_ptr<SweepArchive> sweeps = std::make_unique<SweepsInMemory>());
 
   /// The whole method: prepare, register against the sweeps that overlap it, settle the poses of all, and merge into
-  /// every product; where earlier sweeps moved by more than a centimetre or a milliradian, the products are made again
-  /// of all sweeps. Stages: prepare, coarse, fine, overlap, graph, merge, octomap, ground, cost_map, embodiment.
+  /// every product; where earlier sweeps moved by more than is tolerated, the products are made again of all sweeps.
+  /// Stages: those of the registration, overlap, graph, merge, octomap, ground, cost_map, embodiment; where
+  /// the products are made again: remake.
   SweepResult add(const Sweep& sweep, StageListener* stages = nullptr);
 
-  /// What comes from now on was taken after the robot was moved or its tracker started again: its first sweep is
-  /// searched in the whole map.
-  void begin_session() { ++session_; }
+  /// The map goes on with sweeps of another session, after the robot was moved or its tracker started again: the first
+  /// of them is searched in the whole map. Versions are counted anew; what stands is the first.
+  void begin_session();
 
   const Map& map() const { return *map_; }
   const SweepGraph& graph() const { return graph_; }
@@ -73,11 +81,12 @@ class Mapper {
 
   Robot robot_;
   std::uint64_t seed_;
+  ToleratedMove tolerated_;
   RegistrationConfig registration_;
   Locator locator_;
   std::unique_ptr<Map> map_;
   SweepGraph graph_;
-  SweepArchive sweeps_;  ///< As the map holds them, one a point of the trajectory.
+  std::unique_ptr<SweepArchive> sweeps_;  ///< As the map holds them, one a point of the trajectory.
   std::vector<TrajectoryPoint> trajectory_;
   std::vector<SweepResult> results_;
   int session_ = 0;

@@ -7,12 +7,19 @@
 
 namespace scanway {
 
-/// The sweeps of the map, to make it again where their poses move.
+/// Holds the sweeps of the map, to make it again where their poses move.
 class SweepArchive {
  public:
-  void keep(const Sweep& sweep) { sweeps_.push_back(sweep); }
-  const Sweep& fetch(std::size_t number) const { return sweeps_[number]; }
-  std::size_t size() const { return sweeps_.size(); }
+  virtual ~SweepArchive() = default;
+  virtual void keep(const Sweep& sweep) = 0;
+  /// The sweep that was kept after `number` others.
+  virtual Sweep fetch(std::size_t number) const = 0;
+};
+
+class SweepsInMemory : public SweepArchive {
+ public:
+  void keep(const Sweep& sweep) override { sweeps_.push_back(sweep); }
+  Sweep fetch(std::size_t number) const override { return sweeps_.at(number); }
 
  private:
   std::vector<Sweep> sweeps_;

@@ -20,12 +20,7 @@ Matrix6 covariance_of(const RegistrationResult& registration) {
 }  // namespace
 
 PoseGraph::Node SweepGraph::node_of(const PlacedSweep& sweep) const {
-  PoseGraph::Node node;
-  node.X_map_sensor = sweep.X_map_sweep * Eigen::Translation3d(sweep.origin);
-  if (sweep.R_world_sweep) {
-    node.up = sweep.R_world_sweep->normalized().toRotationMatrix().transpose() * Eigen::Vector3d::UnitZ();
-  }
-  return node;
+  return {sweep.X_map_sweep * Eigen::Translation3d(sweep.origin), up_of(sweep)};
 }
 
 GraphEdge SweepGraph::edge_of(const PlacedSweep& sweep, std::size_t node, const Link& link) const {

@@ -7,6 +7,7 @@
 #include "common/bus/bus.h"
 #include "common/time/utime.h"
 #include "modules/mapper/core/map.h"
+#include "scanway/cloud_tile_t.hpp"
 #include "scanway/cost_tile_entry_t.hpp"
 
 namespace scanway {
@@ -19,6 +20,8 @@ class MapPublisher {
   explicit MapPublisher(Bus& bus) : bus_(bus) {}
 
   void publish(const Map& map, const MapChange& change, Utime utime);
+  /// All of a map that was not published before, as the version that it has.
+  void publish_whole(const Map& map, Utime utime);
 
   /// Of the last version that was closed: the digest of the whole cost map; 0 before the first.
   std::int64_t cost_map_digest() const { return cost_map_digest_; }
@@ -29,6 +32,7 @@ class MapPublisher {
   void publish_tiles(const CostMap& map, const MapChange& change, Utime utime);
   void close_version(const CostMap& map, std::int64_t version, Utime utime);
   void publish_cloud(const VoxelCloud& cloud, std::int64_t version, Utime utime);
+  void publish_cube(const Cube& cube, cloud_tile_t& tile, std::int64_t version, Utime utime);
   void publish_octomap(const OccupancyTree& tree, std::int64_t version, Utime utime);
 
   Bus& bus_;

@@ -1,14 +1,16 @@
 #include "modules/mapper/node/mapper_node.h"
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <memory>
 #include <span>
 #include <utility>
 
 #include "common/bus/channels.h"
-#include "common/bus/log_reader.h"
 #include "common/files/input_error.h"
+#include "common/math/repeatable.h"
 #include "common/messages/bad_message.h"
 #include "common/messages/codec.h"
 #include "common/messages/digest.h"
@@ -16,6 +18,7 @@
 #include "common/messages/pose_message.h"
 #include "common/messages/rigid.h"
 #include "common/messages/sweep_message.h"
+#include "modules/mapper/node/sweeps_on_disk.h"
 #include "scanway/registration_t.hpp"
 
 namespace scanway {
@@ -71,11 +74,15 @@ Pose base_pose(const SweepResult& result, const Sweep& sweep) {
 MapperNode::MapperNode(Bus& bus, const Robot& robot, StageListener* stages)
     : bus_(bus),
       stages_(stages),
-      mapper_(robot),
+      mapper_(robot, 1, {}, std::make_unique<SweepsOnDisk>()),
       publisher_(bus),
-      inputs_(merged_channels(), [this](std::size_t, Utime, Input&& input) { work_on(std::move(input)); }) {
+      inputs_(merge()) {
   bus_.subscribe(channel::kImu.name, [this](const BusMessage& message) { take_imu(message); });
   bus_.subscribe(channel::kSweep.name, [this](const BusMessage& message) { take_piece(message); });
+}
+
+OrderedMerge<MapperNode::Input> MapperNode::merge() {
+  return {merged_channels(), [this](std::size_t, Utime, Input&& input) { work_on(std::move(input)); }};
 }
 
 std::map<std::string, std::int64_t> MapperNode::counters() const {
@@ -88,6 +95,7 @@ std::map<std::string, std::int64_t> MapperNode::counters() const {
           {"mapper_given_up_sweeps", static_cast<std::int64_t>(pieces.given_up)},
           {"mapper_late_imu", static_cast<std::int64_t>(inputs_.late(kImuInput))},
           {"mapper_late_sweeps", static_cast<std::int64_t>(inputs_.late(kSweepInput))},
+          {"mapper_corrections", corrections_},
           {"mapper_sweeps_settled_in_silence", settled_in_silence_},
           {"mapper_sweeps_without_orientation", without_orientation_}};
 }
@@ -168,10 +176,13 @@ void MapperNode::add_sweep(ArrivedSweep&& arrived) {
   orientation_ = orientation_for(arrived);
   if (orientation_) arrived.sweep.R_world_sweep = orientation_->R_world_sweep;
   if (!orientation_) ++without_orientation_;
-  bus_.publish(channel::kSweepInputs.name, encode(inputs_of(arrived)), arrived.sweep.utime);
+  if (!silent_) bus_.publish(channel::kSweepInputs.name, encode(inputs_of(arrived)), arrived.sweep.utime);
   keep(arrived.object, orientation_);
   const SweepResult result = mapper_.add(arrived.sweep, stages_);
   if (store_ != nullptr && result.verdict != Verdict::accepted) store_->drop(arrived.object);
+  if (result.verdict == Verdict::accepted) map_utime_ = result.utime;
+  if (silent_) return;
+  tell(result.correction);
   begin_stage(stages_, "publish");
   publish_result(result, arrived.sweep);
   begin_stage(stages_, "");
@@ -187,39 +198,6 @@ void MapperNode::keep(const Object& sweep, const std::optional<Orientation>& ori
     store_trouble_.clear();
   } catch (const InputError& error) {
     store_trouble_ = std::string("sweeps are not kept: ") + error.what();
-  }
-}
-
-void MapperNode::restore(const SweepStore& store) {
-  for (const std::string& path : store.logs()) {
-    try {
-      LogReader log(path);
-      while (const auto event = log.next()) {
-        const BusMessage message{event->channel, event->bytes, event->utime};
-        if (event->channel == channel::kImu.name) take_imu(message);
-        if (event->channel == channel::kSweepInputs.name) take_origin(message);
-        if (event->channel == channel::kSweep.name) take_piece(message);
-      }
-      if (!log.trouble().empty()) store_trouble_ = path + ": " + log.trouble();
-    } catch (const InputError& error) {
-      store_trouble_ = error.what();
-    }
-    inputs_.flush();
-  }
-  store_ = &store;
-}
-
-/// As keep() wrote it: after the orientation.
-void MapperNode::take_origin(const BusMessage& message) {
-  try {
-    SweepOrigin origin{decode<sweep_inputs_t>(message.bytes), std::nullopt};
-    inputs_.flush();
-    if (newest_orientation_ && newest_orientation_->utime == origin.inputs.utime) {
-      origin.R_world_sweep = newest_orientation_->R_world_sweep;
-    }
-    expect(std::move(origin));
-  } catch (const BadMessage&) {
-    ++bad_messages_;
   }
 }
 
@@ -289,7 +267,13 @@ void MapperNode::publish_result(const SweepResult& result, const Sweep& sweep) {
   if (result.verdict != Verdict::accepted) return;
   bus_.publish(channel::kPose.name, encode(pose_message(result.utime, base_pose(result, sweep))), result.utime);
   publisher_.publish(mapper_.map(), result.change, result.utime);
-  map_utime_ = result.utime;
+}
+
+void MapperNode::tell(const MapCorrection& correction) {
+  if (correction.remade == 0) return;
+  ++corrections_;
+  spdlog::info("{} sweeps moved by up to {:.1f} cm and {:.2f} degrees: the map was made again of all",
+               correction.remade, 100.0 * correction.shift_m, correction.turn * 180.0 / repeatable::kPi);
 }
 
 }  // namespace scanway

@@ -53,8 +53,14 @@ class MapperNode {
   /// `finished` is told of each sweep, by its name and time, when all of its products are published.
   void on_finished(std::function<void(std::string_view, Utime)> finished) { finished_ = std::move(finished); }
 
-  /// Works on the sweeps that `store` holds, and keeps those that come in it from now on. It must outlive this.
+  /// Works on the sweeps that `store` holds, and on the map that it continues, and keeps those that come in it from now
+  /// on. It must outlive this.
   void restore(const SweepStore& store);
+  /// Keeps the sweeps that come in `store`, which is empty. It must outlive this.
+  void keep_in(const SweepStore& store) { store_ = &store; }
+  /// Goes on with a map of another session: of all that is made of its sweeps, only the whole map is published, as the
+  /// first version. What comes from now on is searched in it. Before any other input.
+  void resume(const SweepStore& map);
   /// Nothing has come for a while, so nothing with an earlier time is on its way: what waits is worked on. What it was
   /// made of is in SWEEP_INPUTS, as ever. Unless pieces of sweeps are still expected (asked for), sweeps that are not
   /// whole are given up and counted, so that the map is settled without them.
@@ -81,6 +87,7 @@ class MapperNode {
   };
   using Input = std::variant<Orientation, ArrivedSweep>;
 
+  OrderedMerge<Input> merge();
   void take_imu(const BusMessage& message);
   bool is_listed(std::uint64_t imu) const;
   std::optional<Orientation> orientation_for(const ArrivedSweep& arrived) const;
@@ -91,6 +98,10 @@ class MapperNode {
   input_span_t imu_span() const;
   void publish_result(const SweepResult& result, const Sweep& sweep);
   void keep(const Object& sweep, const std::optional<Orientation>& orientation);
+  void tell(const MapCorrection& correction);
+  void work_on_session(const SweepStore& map);
+  void work_on_kept(const std::string& log);
+  void begin_session();
   void take_origin(const BusMessage& message);
   void release_held();
 
@@ -112,11 +123,13 @@ class MapperNode {
   std::function<void(std::string_view, Utime)> finished_;
   const SweepStore* store_ = nullptr;
   std::string store_trouble_;
+  bool silent_ = false;  // At work on the sweeps of another session.
   std::int64_t waiting_sweeps_ = 0;
   std::size_t news_ = 0;
   Utime map_utime_ = 0;  // Of the newest sweep in the map.
   std::int64_t settled_in_silence_ = 0;
   std::int64_t without_orientation_ = 0;
+  std::int64_t corrections_ = 0;
   std::int64_t bad_messages_ = 0;
 };
 

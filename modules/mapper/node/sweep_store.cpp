@@ -10,6 +10,8 @@
 #include "common/bus/channels.h"
 #include "common/bus/log_bus.h"
 #include "common/bus/log_writer.h"
+#include "common/files/input_error.h"
+#include "common/files/printable.h"
 #include "common/files/product_folder.h"
 #include "common/messages/digest.h"
 
@@ -17,6 +19,20 @@ namespace scanway {
 namespace {
 
 constexpr const char* kExtension = ".lcmlog";
+constexpr const char* kEarlier = "/earlier";
+
+/// Files that are whole never change, so that one on the disk serves both folders where the disk can.
+void link_or_copy(const std::filesystem::path& from, const std::filesystem::path& to) {
+  std::error_code no_link;
+  std::filesystem::create_hard_link(from, to, no_link);
+  if (no_link) std::filesystem::copy_file(from, to);
+}
+
+void copy_map(const SweepStore& from, const std::filesystem::path& to) {
+  std::filesystem::create_directories(to);
+  for (const std::string& log : from.logs()) link_or_copy(log, to / std::filesystem::path(log).filename());
+  if (const auto earlier = from.earlier()) copy_map(*earlier, to.string() + kEarlier);
+}
 
 }  // namespace
 
@@ -46,6 +62,33 @@ std::vector<std::string> SweepStore::logs() const {
   }
   std::sort(logs.begin(), logs.end());
   return logs;
+}
+
+std::optional<SweepStore> SweepStore::earlier() const {
+  if (!std::filesystem::is_directory(folder_ + kEarlier)) return std::nullopt;
+  return SweepStore(folder_ + kEarlier);
+}
+
+void SweepStore::continue_from(const std::string& folder) const {
+  if (earlier()) return;
+  const std::string half = folder_ + kEarlier + std::string(".half");
+  try {
+    std::filesystem::remove_all(half);
+    copy_map(saved_map(folder), half);
+    std::filesystem::rename(half, folder_ + kEarlier);
+  } catch (const std::filesystem::filesystem_error& error) {
+    throw InputError(fmt::format("{}: cannot take over the map of {}: {}", printable(folder_), printable(folder),
+                                 error.code().message()));
+  }
+}
+
+SweepStore saved_map(const std::string& folder) {
+  if (std::filesystem::is_directory(folder)) {
+    SweepStore store(folder);
+    if (!store.logs().empty() || store.earlier()) return store;
+  }
+  throw InputError(printable(folder) +
+                   ": holds no sweeps of a map; name what scanway-mapper --state or scanway replay --keep has kept");
 }
 
 // So that the order of the names is that of the times.

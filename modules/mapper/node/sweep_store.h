@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,10 +27,19 @@ class SweepStore {
   /// The logs, in the order of their sweeps' times.
   std::vector<std::string> logs() const;
 
+  /// The map that this one continues, if it does.
+  std::optional<SweepStore> earlier() const;
+  /// From now on this continues the map in `folder`, whose sweeps it takes over. Whole on the disk when this returns,
+  /// or not at all; nothing if it continues a map already. Throws InputError.
+  void continue_from(const std::string& folder) const;
+
  private:
   std::string path_of(const Object& sweep) const;
 
   std::string folder_;
 };
+
+/// The map that was kept in `folder`. Throws InputError if there is none.
+SweepStore saved_map(const std::string& folder);
 
 }  // namespace scanway

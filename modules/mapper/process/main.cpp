@@ -2,6 +2,8 @@
 
 #include <spdlog/spdlog.h>
 
+#include <CLI/CLI.hpp>
+
 #include <optional>
 
 #include "common/bus/channels.h"
@@ -16,6 +18,14 @@
 
 namespace scanway {
 namespace {
+
+/// The map of another session; nothing if none is to be continued.
+std::optional<SweepStore> map_to_continue(const std::string& folder, const std::optional<SweepStore>& state) {
+  if (folder.empty()) return std::nullopt;
+  if (!state) return saved_map(folder);
+  state->continue_from(folder);  // From then on it is part of the state.
+  return std::nullopt;
+}
 
 /// Makes the map that the process had when it ended; only those who lack it get it again.
 void restore(LiveBus& bus, MapperNode& node, const SweepStore& store) {
@@ -35,7 +45,7 @@ void tell_health(LiveBus& bus, const MapperNode& node, const SweepAssembler& ass
   bus.report(std::move(counters), of_assembler + (both ? "; " : "") + of_node);
 }
 
-int run(const ProgramOptions& options) {
+int run(const ProgramOptions& options, const std::string& resumed) {
   const Robot robot = robot_of(options);
   const Identity who = this_process("mapper");
   LiveBusOptions live = live_bus_options(options);
@@ -49,6 +59,8 @@ int run(const ProgramOptions& options) {
     live.tap = [&keeper](const BusMessage& message) { keeper->take(message); };
   }
 
+  const std::optional<SweepStore> continued = map_to_continue(resumed, store);
+
   ProcessBus process(options.lcm_url, who, live);
   LiveBus& bus = process.live();
   WorkTimer timer(bus);
@@ -61,6 +73,7 @@ int run(const ProgramOptions& options) {
   });
   process.start();
   params.tell();
+  if (continued) node.resume(*continued);
   if (store) restore(bus, node, *store);
   spdlog::info("ready: map version {}", node.mapper().map().version());
   serve(bus, {[&] { return node.news() + assembler.news(); },
@@ -82,6 +95,11 @@ int run(const ProgramOptions& options) {
 }  // namespace scanway
 
 int main(int argc, char** argv) {
-  return scanway::run_program("scanway-mapper", "Sweeps in; a registered map, a cost map and an OctoMap out", argc,
-                              argv, scanway::run);
+  std::string resumed;
+  return scanway::run_program(
+      "scanway-mapper", "Sweeps in; a registered map, a cost map and an OctoMap out", argc, argv,
+      [&resumed](const scanway::ProgramOptions& options) { return scanway::run(options, resumed); },
+      [&resumed](CLI::App& app) {
+        app.add_option("--resume", resumed, "Folder of kept sweeps (--state of another session): go on with their map");
+      });
 }

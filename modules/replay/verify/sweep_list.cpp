@@ -107,8 +107,9 @@ std::int64_t map_version_at(const RecordedLog& log, Utime sweep) {
   return 0;
 }
 
-void find_what_is_not_listed(const RecordedLog& log, SweepList& list) {
+void find_what_is_not_listed(const RecordedLog& log, std::optional<Utime> continued, SweepList& list) {
   std::set<Utime> listed;
+  if (continued) listed.insert(*continued);
   for (const ListedSweep& sweep : list.sweeps) listed.insert(sweep.utime);
   for (const Utime sweep : log.sweeps()) {
     if (listed.contains(sweep)) continue;
@@ -116,7 +117,7 @@ void find_what_is_not_listed(const RecordedLog& log, SweepList& list) {
     list.missing.push_back(fmt::format("SWEEP_INPUTS at {}: the log holds {} of that sweep", sweep,
                                        text_of(log.products_at(sweep).front())));
   }
-  std::int64_t count = static_cast<std::int64_t>(list.not_listed.size());
+  std::int64_t count = static_cast<std::int64_t>(list.not_listed.size()) + (continued ? 1 : 0);
   for (ListedSweep& sweep : list.sweeps) {
     const std::int64_t version = map_version_at(log, sweep.utime);
     if (version <= ++count) continue;
@@ -131,7 +132,7 @@ void find_what_is_not_listed(const RecordedLog& log, SweepList& list) {
 
 std::string missing_input(const RecordedLog& log, const input_span_t& input) { return find_input(log, input).missing; }
 
-SweepList list_sweeps(const RecordedLog& log) {
+SweepList list_sweeps(const RecordedLog& log, std::optional<Utime> continued) {
   SweepList list;
   std::set<std::pair<Utime, std::int64_t>> known;
   for (const sweep_inputs_t& listed : log.sweep_inputs()) {
@@ -154,7 +155,7 @@ SweepList list_sweeps(const RecordedLog& log) {
     if (sweep.sweep != nullptr && list.difference.empty()) list.difference = contradiction(listed, *sweep.sweep);
     list.sweeps.push_back(std::move(sweep));
   }
-  find_what_is_not_listed(log, list);
+  find_what_is_not_listed(log, continued, list);
   return list;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,7 +26,8 @@ struct SweepList {
   std::string difference;            ///< The list contradicts itself or a sweep; empty: it does not.
 };
 
-SweepList list_sweeps(const RecordedLog& log);
+/// `continued`: the time of the map that the log goes on with, which is known and was version 1.
+SweepList list_sweeps(const RecordedLog& log, std::optional<Utime> continued = {});
 
 /// What the log lacks of one listed input, or holds beside it, in one line; empty: it holds exactly that.
 std::string missing_input(const RecordedLog& log, const input_span_t& input);

@@ -12,6 +12,7 @@
 #include "common/messages/pose_message.h"
 #include "modules/mapper/node/mapper_node.h"
 #include "modules/mapper/node/sweep_assembler.h"
+#include "modules/mapper/node/sweep_store.h"
 #include "modules/replay/verify/configuration.h"
 #include "modules/replay/verify/derived_products.h"
 #include "modules/replay/verify/played.h"
@@ -38,6 +39,10 @@ class Rerun {
     });
   }
 
+  void resume(const SweepStore& map) {
+    mapper_.resume(map);
+    bus_.dispatch();
+  }
   void add(const ListedSweep& sweep) {
     derived_.clear();
     for (const auto& [channel, message] : sweep.messages) bus_.publish(channel, message, sweep.utime);
@@ -73,13 +78,17 @@ class Rerun {
 /// The whole work, a step a function.
 class Verifier {
  public:
-  Verifier(const std::string& path, const std::optional<Robot>& robot, const std::string& played)
-      : log_(path), list_(list_sweeps(log_)), paths_(log_) {
+  Verifier(const std::string& path, const std::optional<Robot>& robot, const std::string& played,
+           const std::string& resumed)
+      : log_(path), paths_(log_) {
     result_.holds_derived = log_.holds_derived();
-    result_.sweeps = list_.sweeps.size();
     result_.trouble = log_.trouble();
-    result_.missing = list_.missing;
     if (result_.holds_derived) configure(path, robot);
+    if (configured_) begin(resumed);
+    const bool continues = rerun_ && rerun_->version().version > 0;
+    list_ = list_sweeps(log_, continues ? std::optional(rerun_->version().utime) : std::nullopt);
+    result_.sweeps = list_.sweeps.size();
+    result_.missing.insert(result_.missing.begin(), list_.missing.begin(), list_.missing.end());
     const auto add = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
     add(result_.missing, paths_.missing());
     add(result_.notes, paths_.notes());
@@ -87,7 +96,7 @@ class Verifier {
   }
 
   Verification run(const std::function<void(double)>& progress) {
-    result_.difference = list_.difference;
+    if (result_.difference.empty()) result_.difference = list_.difference;
     if (result_.holds_derived && configured_) compute(progress);
     result_.products += paths_.compared();
     if (result_.difference.empty()) result_.difference = log_.first_fault();
@@ -110,8 +119,15 @@ class Verifier {
     configured_ = true;
   }
 
-  void compute(const std::function<void(double)>& progress) {
+  /// With the map that the session went on with, if it did.
+  void begin(const std::string& resumed) {
     rerun_ = std::make_unique<Rerun>(mapper_robot_, poses_);
+    if (resumed.empty()) return;
+    rerun_->resume(saved_map(resumed));
+    if (rerun_->version().version > 0) compare(rerun_->version());
+  }
+
+  void compute(const std::function<void(double)>& progress) {
     bool all = true;
     for (const ListedSweep& sweep : list_.sweeps) {
       if (!result_.difference.empty()) return;
@@ -140,11 +156,24 @@ class Verifier {
     const std::int64_t before = rerun_->version().version;
     rerun_->add(sweep);
     ++result_.computed;
-    result_.difference = rerun_->derived().difference(log_, sweep.utime);
-    if (!result_.difference.empty()) return;
-    for (const RecordedName& product : log_.products_at(sweep.utime)) note_equal(product);
+    compare_products(sweep.utime);
     const ClosedVersion version = rerun_->version();
-    if (version.version > before) result_.difference = paths_.compare(planner_robot_, rerun_->cost_map(), version);
+    if (version.version > before) compare_paths(version);
+  }
+
+  void compare(const ClosedVersion& version) {
+    compare_products(version.utime);
+    compare_paths(version);
+  }
+
+  void compare_products(Utime utime) {
+    result_.difference = rerun_->derived().difference(log_, utime);
+    if (!result_.difference.empty()) return;
+    for (const RecordedName& product : log_.products_at(utime)) note_equal(product);
+  }
+
+  void compare_paths(const ClosedVersion& version) {
+    if (result_.difference.empty()) result_.difference = paths_.compare(planner_robot_, rerun_->cost_map(), version);
   }
 
   void note_equal(const RecordedName& product) {
@@ -165,7 +194,7 @@ class Verifier {
   }
 
   const RecordedLog log_;
-  const SweepList list_;
+  SweepList list_;
   RecordedPaths paths_;
   bool configured_ = false;
   Robot mapper_robot_;
@@ -203,9 +232,10 @@ std::string Verification::remarks() const {
 }
 
 Verification verify(const std::string& log, const std::optional<Robot>& robot,
-                    const std::function<void(double)>& progress, const std::string& played) {
+                    const std::function<void(double)>& progress, const std::string& played,
+                    const std::string& resumed) {
   try {
-    return Verifier(log, robot, played).run(progress);
+    return Verifier(log, robot, played, resumed).run(progress);
   } catch (const BadMessage& bad) {
     throw InputError(printable(log) + ": cannot be verified: " + bad.what());
   }

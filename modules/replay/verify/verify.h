@@ -33,9 +33,11 @@ struct Verification {
 /// Computes anew what mapper and planner derived, from exactly the inputs that the log's SWEEP_INPUTS list, and
 /// compares it with what the log holds: products by channel, key, version and digest, PATH on closed versions. `robot`
 /// is taken in place of the log's own configuration. `played`, if not empty, is the log that a
-/// player sent to the processes whose session `log` is. `progress` is told how far it is, from 0 to 1. Throws
+/// player sent to the processes whose session `log` is. `resumed`, if not empty, is the folder of the map that the
+/// session went on with. `progress` is told how far it is, from 0 to 1. Throws
 /// InputError.
 Verification verify(const std::string& log, const std::optional<Robot>& robot,
-                    const std::function<void(double)>& progress = {}, const std::string& played = {});
+                    const std::function<void(double)>& progress = {}, const std::string& played = {},
+                    const std::string& resumed = {});
 
 }  // namespace scanway

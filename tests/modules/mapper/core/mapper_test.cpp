@@ -1,6 +1,7 @@
 #include "modules/mapper/core/mapper.h"
 
 #include <cmath>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -133,6 +134,59 @@ TEST(Mapper, TheSameBytesForEveryNumberOfThreads) {
   }
   EXPECT_TRUE(all[0] == all[1]);
   EXPECT_TRUE(all[0] == all[2]);
+}
+
+/// A mapper that tolerates no move at all.
+Mapper strict_mapper() { return Mapper(Robot{}, 1, {-1.0, -1.0}); }
+
+TEST(Mapper, WhenPosesMoveTheProductsFollow) {
+  const std::vector<Sweep> sweeps = {sweep_at(0.3, -0.2, 0.0, "first"), sweep_at(1.0, 0.4, 0.3, "second"),
+                                     sweep_at(0.5, 0.3, -0.4, "third")};
+  Mapper mapper = strict_mapper();
+  std::map<Cell, CostTile> known;  // What a subscriber has who is told of each change.
+  for (std::size_t i = 0; i < sweeps.size(); ++i) {
+    const SweepResult result = mapper.add(sweeps[i]);
+    ASSERT_EQ(result.verdict, Verdict::accepted) << result.reason;
+    EXPECT_EQ(result.correction.remade, i);
+    EXPECT_EQ(result.change.version, i + 1);
+    const auto& tiles = mapper.map().cost_map().tiles;
+    for (const Cell& changed : result.change.changed_tiles) {
+      known.erase(changed);
+      if (const auto tile = tiles.find(changed); tile != tiles.end()) known.insert(*tile);
+    }
+    EXPECT_TRUE(known == tiles) << "after " << sweeps[i].name;
+  }
+  EXPECT_EQ(mapper.graph().graph().edges.size(), 3u) << "each is registered to all that overlap it";
+  Map anew(Robot{}, 1);
+  for (std::size_t i = 0; i < sweeps.size(); ++i) anew.merge(sweeps[i], mapper.trajectory()[i].X_map_sweep);
+  EXPECT_TRUE(anew.cost_map().tiles == mapper.map().cost_map().tiles);
+  EXPECT_EQ(anew.occupancy_tree().ot_bytes(), mapper.map().occupancy_tree().ot_bytes());
+  EXPECT_EQ(anew.cloud().centroids().points, mapper.map().cloud().centroids().points);
+}
+
+TEST(Mapper, AnotherSessionIsFoundInTheMapWhateverItsHeading) {
+  Mapper mapper(Robot{});
+  mapper.add(sweep_at(0.3, -0.2, 0.0, "first"));
+  mapper.add(sweep_at(1.0, 0.4, 0.3, "second"));
+  mapper.begin_session();
+  EXPECT_EQ(mapper.map().version(), 1u) << "versions are counted anew";
+
+  const std::string before = products(mapper);
+  const SweepResult elsewhere = mapper.add(junk());
+  EXPECT_EQ(elsewhere.verdict, Verdict::refused);
+  EXPECT_NE(elsewhere.reason.find("Not found in the map that it should continue"), std::string::npos);
+  EXPECT_TRUE(products(mapper) == before);
+
+  Sweep later = sweep_at(0.6, 0.1, 1.2, "later");
+  later.R_world_sweep = Eigen::Quaterniond(rotation_about_z(2.0)) * *later.R_world_sweep;
+  const SweepResult found = mapper.add(later);
+  ASSERT_EQ(found.verdict, Verdict::accepted) << found.reason;
+  EXPECT_NEAR((found.X_map_sweep.translation().head<2>() - Eigen::Vector2d(0.3, 0.3)).norm(), 0.0, 0.02);
+  EXPECT_NEAR(heading_of(found.X_map_sweep.linear()), 1.2, 0.005);
+  EXPECT_EQ(found.change.version, 2u);
+  Sweep next = sweep_at(0.9, -0.1, 1.0, "next");
+  next.R_world_sweep = Eigen::Quaterniond(rotation_about_z(2.0)) * *next.R_world_sweep;
+  EXPECT_EQ(mapper.add(next).verdict, Verdict::accepted);
 }
 
 TEST(Map, PaperProjectionLeavesNothingUnknownWithinWhatWasSeen) {

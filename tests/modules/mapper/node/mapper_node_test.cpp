@@ -11,6 +11,7 @@
 
 #include "common/bus/channels.h"
 #include "common/bus/memory_bus.h"
+#include "common/files/input_error.h"
 #include "common/messages/codec.h"
 #include "common/messages/digest.h"
 #include "common/messages/imu_message.h"
@@ -207,6 +208,76 @@ TEST_F(MapperNodeTest, ANodeThatIsStartedAgainHasTheSameMap) {
   again.settle();
   bus.dispatch();
   EXPECT_EQ(versions_, known);
+}
+
+/// A folder with the kept sweep of a map, whose digest is returned.
+std::int64_t keep_a_map(const std::string& folder) {
+  MemoryBus bus;
+  const SweepStore store(folder);
+  MapperNode node(bus, Robot{});
+  node.keep_in(store);
+  publish_object(bus, channel::kSweep, encode(to_message(room(kStart, "a"))), "a", 1, kStart);
+  bus.dispatch();
+  node.finish();
+  return node.state().map_digest;
+}
+
+TEST_F(MapperNodeTest, AMapThatIsContinuedIsPublishedOnceAndWhole) {
+  const test::ScratchFolder scratch;
+  const std::int64_t kept = keep_a_map(scratch / "first");
+  std::size_t verdicts = 0, tiles = 0;
+  bus_.subscribe(channel::kRegistration.name, [&verdicts](const BusMessage&) { ++verdicts; });
+  bus_.subscribe(channel::kCostMapTile.name, [&tiles](const BusMessage&) { ++tiles; });
+  MapperNode node(bus_, Robot{});
+  node.resume(saved_map(scratch / "first"));
+  bus_.dispatch();
+  EXPECT_EQ(node.state().map_digest, kept);
+  EXPECT_EQ(node.state().map_version, 1);
+  EXPECT_EQ(versions_.size(), 1U);
+  EXPECT_TRUE(inputs_.empty()) << "its sweeps are those of another session";
+  EXPECT_EQ(verdicts, 0U);
+  EXPECT_GE(tiles, node.mapper().map().cost_map().tiles.size());
+
+  send_sweep(bus_, kStart - 1'000'000'000, "b");  // Before all of that map's: another session has its own time.
+  bus_.dispatch();
+  node.finish();
+  bus_.dispatch();
+  EXPECT_EQ(inputs_.size(), 1U);
+  EXPECT_EQ(verdicts, 1U);
+  EXPECT_EQ(node.counters().at("mapper_late_sweeps"), 0);
+}
+
+TEST_F(MapperNodeTest, AFolderTakesOverTheMapThatItContinues) {
+  const test::ScratchFolder scratch;
+  const std::int64_t kept = keep_a_map(scratch / "first");
+  const SweepStore second(scratch / "second");
+  second.continue_from(scratch / "first");
+  second.continue_from(scratch / "first");  // Once is enough.
+  std::filesystem::remove_all(scratch / "first");
+  EXPECT_TRUE(second.logs().empty());
+  MapperNode node(bus_, Robot{});
+  node.restore(second);
+  EXPECT_EQ(node.state().map_digest, kept);
+  const SweepStore third(scratch / "third");
+  third.continue_from(scratch / "second");
+  MemoryBus bus;
+  MapperNode again(bus, Robot{});
+  again.restore(third);
+  EXPECT_EQ(again.state().map_digest, kept);
+}
+
+TEST_F(MapperNodeTest, AFolderWithoutAMapCannotBeContinued) {
+  const test::ScratchFolder scratch;
+  std::filesystem::create_directory(scratch / "empty");
+  for (const char* name : {"empty", "not-there"}) {
+    try {
+      saved_map(scratch / name);
+      FAIL() << name;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("holds no sweeps of a map"), std::string::npos) << error.what();
+    }
+  }
+  EXPECT_FALSE(std::filesystem::exists(scratch / "not-there"));
 }
 
 TEST_F(MapperNodeTest, AStateThatIsDamagedIsSaid) {
