@@ -15,8 +15,10 @@ constexpr std::size_t kLook = 8;
 constexpr int kMostRounds = 16;
 /// At first no leg is longer than this, so that a shortcut may begin and end in the middle of a straight run.
 constexpr std::int32_t kFirstLength = 8;
-/// Of two ways that cost the same the one with fewer legs is taken, and a cell's length is worth a leg.
+/// Of ways that all cost no more than the given one, few legs and little turning are worth this: of a cell's length,
+/// and of what the body's outermost point moves.
 constexpr double kLegPrice = 1.0;
+constexpr double kTurnPrice = 0.5;
 constexpr double kRounding = 1e-9;
 
 int step_between(Cell a, Cell b) {
@@ -53,7 +55,11 @@ std::vector<Leg> runs_of(const std::vector<Leg>& steps) {
 /// The cheapest choice of given legs and of shortcuts over up to kLook of them.
 class Shortcuts {
  public:
-  Shortcuts(const std::vector<Leg>& legs, const Ground& ground) : legs_(legs), ground_(ground), into_(legs.size() + 1) {
+  Shortcuts(const std::vector<Leg>& legs, const Ground& ground)
+      : legs_(legs),
+        ground_(ground),
+        swing_(ground.has_body() ? ground.body().circumscribed() : 0.0),
+        into_(legs.size() + 1) {
     for (const Leg& leg : legs_) rooms_.push_back(ground.turn_room(leg.from));
     double cost = 0.0;
     for (std::size_t i = 0; i < legs_.size(); ++i) {
@@ -100,8 +106,10 @@ class Shortcuts {
     for (std::size_t i = 0; i < into_[from].size(); ++i) {
       const Way& before = into_[from][i];
       const std::optional<double> turn = turn_between(before.leg.heading, leg->heading, rooms_[from]);
-      if (!turn || before.cost + turn_cost(*turn, rooms_[from]) >= way.cost) continue;
-      way.cost = before.cost + turn_cost(*turn, rooms_[from]);
+      if (!turn) continue;
+      const double cost = before.cost + turn_cost(*turn, rooms_[from]) + kTurnPrice * std::fabs(*turn) * swing_;
+      if (cost >= way.cost) continue;
+      way.cost = cost;
       way.before = i;
     }
     if (!std::isfinite(way.cost)) return;
@@ -126,6 +134,7 @@ class Shortcuts {
 
   const std::vector<Leg>& legs_;
   const Ground& ground_;
+  double swing_;                     ///< From the body's centre to its outermost point.
   std::vector<TurnRoom> rooms_;      ///< Where each leg begins.
   std::vector<double> cost_before_;  ///< Of all up to a leg, with the turn to its heading.
   std::vector<double> cost_after_;   ///< And with the leg.

@@ -1,14 +1,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 #include <numbers>
+#include <string>
 
-#include "common/grid/map_file.h"
 #include "modules/planner/core/planner.h"
+#include "tests/modules/planner/support/body_trials.h"
 #include "tests/modules/planner/support/maps.h"
 #include "tests/modules/planner/support/polygon_check.h"
-#include "tests/modules/planner/support/reference.h"
 
 namespace scanway::test {
 namespace {
@@ -18,105 +17,58 @@ using planning::Planner;
 using planning::PlanResult;
 using planning::PlanStatus;
 
-Robot box(double front, double back, double half_width) {
-  Robot robot;
-  robot.body.footprint = {{front, half_width}, {-back, half_width}, {-back, -half_width}, {front, -half_width}};
-  return robot;
-}
-
 const Robot kEraMobi;
-const Robot kBox = box(0.6, 0.6, 0.25);
-/// Its centre is over the rear axle.
-const Robot kCar = box(3.6, 0.9, 0.9);
 
-/// Plans between random places; returns how many paths there were.
-int expect_all_clear(const TestMap& map, const Robot& robot, int problems, Random& random) {
-  Planner planner(robot, BodyMode::footprint);
-  planner.set_map(map.map, map.bounds);
-  const PolygonCheck check(map, robot);
-  int paths = 0;
-  for (int i = 0; i < problems; ++i) {
-    const PlanResult plan = planner.plan(middle_of(map.map, random_cell(map.bounds, random)),
-                                         middle_of(map.map, random_cell(map.bounds, random)));
-    if (plan.status != PlanStatus::ok) continue;
-    ++paths;
-    EXPECT_EQ(check.first_hit(plan.path), "");
+class BodyTrials : public testing::TestWithParam<TrialBody> {};
+
+TEST_P(BodyTrials, OnRandomMapsNoPoseOverlapsAnObstacle) {
+  const TrialBody& body = GetParam();
+  for (int i = 0; i < 4; ++i) {
+    Random random(static_cast<std::uint64_t>(i));
+    const double share = body.share * (i % 3 + 1) / 3.0;
+    TestMap map = random_map(90, 70, body.resolution_m, share, i % 2 == 0, random);
+    add_random_costs(map, random);
+    Random same = random;
+    const Tally smooth = try_random_problems(map, body.robot, 10, random);
+    const Tally cells = try_random_problems(map, body.robot, 10, same, planning::PathForm::cells);
+    EXPECT_GT(smooth.ways, 2);
+    EXPECT_EQ(smooth.ways, cells.ways);
+    EXPECT_EQ(smooth.cost, cells.cost);
+    EXPECT_LT(smooth.seconds, cells.seconds);
   }
-  return paths;
 }
 
-/// A cell where the body has room at heading 0; after a while, any cell.
-Cell place_for(const TestMap& map, const Robot& robot, Random& random) {
-  const PolygonCheck check(map, robot);
-  Cell cell;
-  for (int i = 0; i < 100; ++i) {
-    cell = random_cell(map.bounds, random);
-    if (!check.hits({cell.x, cell.y}, 0.0)) break;
-  }
-  return cell;
+TEST_P(BodyTrials, InSimulatedWorldsNoPoseOverlapsAnObstacle) {
+  const TrialBody& body = GetParam();
+  Random random(14);
+  const TestMap map = truth_map("car_park", 5, body.robot, 0.1);
+  EXPECT_GT(try_random_problems(map, body.robot, 30, random).ways, 5);
 }
 
-struct BodyCase {
-  const char* name;
-  Robot robot;
-  double resolution_m;
-  double share;
-  int maps;  ///< For the exhaustive search, which is slow for large bodies.
-};
-
-class BodyOnRandomMaps : public testing::TestWithParam<BodyCase> {};
-
-TEST_P(BodyOnRandomMaps, NoPoseOverlapsAnObstacle) {
-  const BodyCase& c = GetParam();
-  Random random(11);
-  int paths = 0;
-  for (int i = 0; i < 7; ++i) {
-    const TestMap map = random_map(90, 70, c.resolution_m, c.share * (i % 3 + 1) / 3.0, i % 2 == 0, random);
-    paths += expect_all_clear(map, c.robot, 10, random);
-  }
-  EXPECT_GT(paths, 10);
-}
-
-TEST_P(BodyOnRandomMaps, FindsAWayWhereverAnExhaustiveSearchDoes) {
-  const BodyCase& c = GetParam();
+TEST_P(BodyTrials, FindsAWayWhereverAnExhaustiveSearchDoes) {
+  const TrialBody& body = GetParam();
   Random random(12);
-  int ways = 0, none = 0;
-  for (int i = 0; i < c.maps; ++i) {
-    const TestMap map = random_map(24, 20, c.resolution_m, c.share, i % 3 == 0, random);
-    const Cell start = place_for(map, c.robot, random), goal = place_for(map, c.robot, random);
-    Planner planner(c.robot, BodyMode::footprint);
-    planner.set_map(map.map, map.bounds);
-    const PlanResult plan = planner.plan(middle_of(map.map, start), middle_of(map.map, goal));
-    const auto of_8 = dijkstra_cost_of_body(map, c.robot, start, goal, 8);
-    const auto of_16 = dijkstra_cost_of_body(map, c.robot, start, goal, 16);
-    EXPECT_TRUE(!of_8 || plan.status == PlanStatus::ok) << "map " << i << ": " << plan.reason;
-    EXPECT_EQ(plan.status == PlanStatus::ok, of_16.has_value()) << "map " << i;
-    // The search samples turns and steps, and so allows a little more than the planner's exact sweeps.
-    EXPECT_GE(plan.cost, of_16.value_or(0.0) - 1e-9) << "map " << i;
-    EXPECT_LE(plan.cost, 1.05 * of_16.value_or(0.0)) << "map " << i;
-    (of_16 ? ways : none) += 1;
-  }
-  EXPECT_GT(ways, 0);
-  EXPECT_GT(none, 0);
+  const Tally tally = try_against_exhaustive_search(body, std::string(body.name) == "car" ? 5 : 30, random);
+  EXPECT_GT(tally.ways, 0);
+  EXPECT_GT(tally.none, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Bodies, BodyOnRandomMaps,
-                         testing::Values(BodyCase{"era_mobi", kEraMobi, 0.1, 0.04, 30},
-                                         BodyCase{"box", kBox, 0.15, 0.03, 30}, BodyCase{"car", kCar, 0.6, 0.02, 5}),
+INSTANTIATE_TEST_SUITE_P(Bodies, BodyTrials, testing::ValuesIn(trial_bodies()),
                          [](const auto& test) { return test.param.name; });
 
-class BodyOnRealMaps : public testing::TestWithParam<const char*> {};
+class BodyOnRecordedMaps : public testing::TestWithParam<const char*> {};
 
-TEST_P(BodyOnRealMaps, NoPoseOverlapsAnObstacle) {
-  const std::string path = std::string(SCANWAY_SHARED_DIR) + "/data/occupancy_maps/" + GetParam() + ".yaml";
-  if (!std::ifstream(path)) GTEST_SKIP() << "no " << path;
-  TestMap map{read_map(path), {}};
-  map.bounds = *bounds(map.map);
+TEST_P(BodyOnRecordedMaps, NoPoseOverlapsAnObstacle) {
+  const TestMap map = recorded_map(GetParam());
+  if (map.map.tiles.empty()) GTEST_SKIP() << "no ../shared/data/occupancy_maps";
   Random random(13);
-  for (const Robot& robot : {kEraMobi, kBox}) EXPECT_GT(expect_all_clear(map, robot, 12, random), 2);
+  for (const TrialBody& body : trial_bodies()) {
+    if (std::string(body.name) == "car") continue;  // Nothing here is made for cars.
+    EXPECT_GT(try_random_problems(map, body.robot, 6, random).ways, 1);
+  }
 }
 
-INSTANTIATE_TEST_SUITE_P(Maps, BodyOnRealMaps, testing::Values("depot", "warehouse"));
+INSTANTIATE_TEST_SUITE_P(Maps, BodyOnRecordedMaps, testing::Values("depot", "warehouse"));
 
 /// A wall across the map with one gap of so many cells, turned by an angle.
 TestMap wall_with_gap(double gap_m, double angle) {

@@ -106,6 +106,10 @@ class PoseTable {
 
 }  // namespace
 
+double weight_of(const TestMap& map, const Robot& robot, planning::BodyMode mode, Cell cell) {
+  return weight(map, robot, mode, cell) / 64.0;
+}
+
 std::optional<double> dijkstra_cost(const TestMap& map, const Robot& robot, planning::BodyMode mode, Cell start,
                                     Cell goal) {
   const auto width = static_cast<std::size_t>(map.bounds.width());

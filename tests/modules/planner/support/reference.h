@@ -11,6 +11,9 @@
 
 namespace scanway::test {
 
+/// What a metre costs in a cell, by docs/planning.md.
+double weight_of(const TestMap& map, const Robot& robot, planning::BodyMode mode, Cell cell);
+
 /// The least cost between two cells by a plain Dijkstra on cells, in metres; nothing when there is no way. The rules of
 /// docs/planning.md for the modes point and paper, written without the planner's code.
 std::optional<double> dijkstra_cost(const TestMap& map, const Robot& robot, planning::BodyMode mode, Cell start,
