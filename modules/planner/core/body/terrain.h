@@ -74,7 +74,7 @@ class Terrain {
   /// A number for every tight cell that anybody asked for, from 0 on.
   std::uint32_t slot(std::uint32_t index);
   /// The same plus 1; 0 when the cell has none.
-  std::uint32_t known_slot(std::uint32_t index) const { return slots_[index]; }
+  std::uint32_t known_slot(std::uint32_t index) const { return tight_.empty() ? 0 : slots_[index]; }
   std::uint32_t cell_of_slot(std::uint32_t slot) const { return tight_[slot].index; }
   std::size_t slots() const { return tight_.size(); }
   /// Bit k: the body has room at heading k.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -36,19 +37,20 @@ class BucketQueue {
     return kNone;
   }
 
-  /// Takes a node out of a bucket that is not empty.
-  std::uint32_t pop(std::uint64_t bucket) {
-    std::vector<std::uint32_t>& nodes = buckets_[bucket];
-    const std::uint32_t node = nodes.back();
-    nodes.pop_back();
-    if (nodes.empty()) {
-      occupied_[bucket >> 6] &= ~(std::uint64_t{1} << (bucket & 63));
-      spare_.emplace_back().swap(nodes);
+  /// Takes out what is in a bucket, and what comes into it meanwhile: fetch(node) when it leaves, take(node) after some
+  /// others have been taken, so that what it needs has come from memory by then.
+  template <class Fetch, class Take>
+  void empty(std::uint64_t bucket, Fetch&& fetch, Take&& take) {
+    std::array<std::uint32_t, kOnTheirWay> way;
+    for (std::size_t out = 0, done = 0;; ++done) {
+      for (; out < done + kOnTheirWay && !buckets_[bucket].empty(); ++out) {
+        way[out % kOnTheirWay] = pop(bucket);
+        fetch(way[out % kOnTheirWay]);
+      }
+      if (done == out) return;
+      take(way[done % kOnTheirWay]);
     }
-    return node;
   }
-
-  bool is_empty(std::uint64_t bucket) const { return buckets_[bucket].empty(); }
 
   std::uint64_t bucket_of(std::uint64_t key) const { return key >> shift_; }
   std::uint64_t lowest_key_of(std::uint64_t bucket) const { return bucket << shift_; }
@@ -61,6 +63,19 @@ class BucketQueue {
   }
 
  private:
+  static constexpr std::size_t kOnTheirWay = 16;
+
+  std::uint32_t pop(std::uint64_t bucket) {
+    std::vector<std::uint32_t>& nodes = buckets_[bucket];
+    const std::uint32_t node = nodes.back();
+    nodes.pop_back();
+    if (nodes.empty()) {
+      occupied_[bucket >> 6] &= ~(std::uint64_t{1} << (bucket & 63));
+      spare_.emplace_back().swap(nodes);
+    }
+    return node;
+  }
+
   void grow(std::uint64_t bucket) {
     const std::uint64_t size = (bucket + bucket / 4 + 64) & ~std::uint64_t{63};
     buckets_.resize(size);

@@ -14,8 +14,6 @@ constexpr std::uint64_t kWorthRepairing = 10;
 constexpr std::uint64_t kAlwaysRepaired = 64;
 /// The queue's buckets begin at 0, so k_m costs memory as it grows.
 constexpr std::uint64_t kLongestWay = 1u << 20;
-/// Nodes out of the queue whose cells are being fetched.
-constexpr std::size_t kOnTheirWay = 16;
 
 }  // namespace
 
@@ -66,15 +64,15 @@ bool DStarLite::move_target(Cell target) {
   return k_m_ / graph_->straight() < kLongestWay;
 }
 
-/// What most nodes are: a cell inside its block, it and its neighbours all roomy or blocked. Returns false, and has done
-/// nothing, for any other node.
+/// What most nodes are: a cell inside its block, it and its neighbours all roomy or blocked. Returns false, and has
+/// done nothing, for any other node.
 bool DStarLite::expand_roomy(Node node, Cell cell) {
-  if (node >= cells_ || !Frame::is_inner(node)) return false;
-  CellWord* const words = &graph_->terrain().word(node);
-  auto steps = graph_->gaining_steps(words);
+  auto steps = graph_->gaining_steps(node);
   if (!steps) return false;
+  CellWord* const words = &graph_->terrain().word(node);
   const std::uint64_t here = words->value();
   if (here >= kInfinite - graph_->dearest_step()) throw CostOverflow();
+  close(*words);
   for (; *steps != 0; *steps &= *steps - 1) {
     const int step = __builtin_ctz(*steps);
     const auto at = static_cast<std::size_t>(step);
@@ -90,8 +88,8 @@ bool DStarLite::expand_roomy(Node node, Cell cell) {
 
 void DStarLite::expand(Node node, Cell cell) {
   ++effort_.expansions;
-  word(node).set_tag(tag(node) & static_cast<std::uint8_t>(~kOpen));
   if (expand_roomy(node, cell)) return;
+  close(word(node));
   const std::uint64_t here = value(node);
   graph_->edges_below(node, [&](Node next, std::uint64_t cost, Link link) {
     if (here + cost < value(next)) lower(next, here + cost, link);
@@ -113,25 +111,20 @@ bool DStarLite::search(const std::vector<Node>& targets) {
     const std::uint64_t goal = least(targets);
     const std::uint64_t bucket = queue_.lowest();
     if (bucket == BucketQueue::kNone || (goal != kInfinite && queue_.lowest_key_of(bucket) >= goal + k_m_)) break;
-    empty(bucket, targets, beyond);
+    expand_all(bucket, targets, beyond);
   }
   for (const Node node : beyond) queue_.push(key(node, value(node)), node);
   first_expansions_ = std::max(first_expansions_, effort_.expansions - before);
   return true;
 }
 
-/// Expands what is in a bucket and comes into it meanwhile. Between leaving the queue and being looked at, a node waits
-/// for others, so that its cells have come from memory by then.
-[[gnu::flatten, gnu::target_clones("default", "avx2")]] void DStarLite::empty(std::uint64_t bucket, const std::vector<Node>& targets, std::vector<Node>& beyond) {
-  std::array<Node, kOnTheirWay> way;
-  for (std::size_t out = 0, done = 0;; ++done) {
-    for (; out < done + kOnTheirWay && !queue_.is_empty(bucket); ++out) {
-      way[out % kOnTheirWay] = queue_.pop(bucket);
-      graph_->prefetch(way[out % kOnTheirWay]);
-    }
-    if (done == out) return;
-    look_at(way[done % kOnTheirWay], bucket, least(targets), beyond);
-  }
+/// Expands what is in a bucket; compiled in one piece, as all the time goes by here.
+[[gnu::flatten, gnu::target_clones("default", "avx2")]] void DStarLite::expand_all(std::uint64_t bucket,
+                                                                                   const std::vector<Node>& targets,
+                                                                                   std::vector<Node>& beyond) {
+  queue_.empty(
+      bucket, [this](Node node) { graph_->prefetch(node); },
+      [&](Node node) { look_at(node, bucket, least(targets), beyond); });
 }
 
 void DStarLite::look_at(Node node, std::uint64_t bucket, std::uint64_t goal, std::vector<Node>& beyond) {
@@ -164,10 +157,19 @@ bool DStarLite::is_supported(Node node) {
 
 DStarLite::Offer DStarLite::best_offer(Node node) {
   Offer best;
-  graph_->edges_above(node, [&](Node above, std::uint64_t cost, Link link) {
-    const std::uint64_t there = value(above);
+  const auto consider = [&](std::uint64_t there, std::uint64_t cost, Link link) {
     if (there != kInfinite && there + cost < best.value) best = {there + cost, link};
-  });
+  };
+  if (auto steps = graph_->open_steps(node)) {
+    const CellWord* const words = &graph_->terrain().word(node);
+    for (; *steps != 0; *steps &= *steps - 1) {
+      const int step = __builtin_ctz(*steps);
+      const std::uint64_t there = words[kInnerStep[static_cast<std::size_t>(step)]].value();
+      consider(there, graph_->cost_of_step(words, step), link_of(step, kRoomyParent));
+    }
+    return best;
+  }
+  graph_->edges_above(node, [&](Node above, std::uint64_t cost, Link link) { consider(value(above), cost, link); });
   return best;
 }
 
@@ -184,17 +186,24 @@ std::uint64_t DStarLite::next_bucket(const std::vector<Node>& targets) {
 bool DStarLite::rise_before(const std::vector<Node>& targets) {
   for (std::uint64_t bucket = rising_.lowest(); bucket != BucketQueue::kNone; bucket = rising_.lowest()) {
     if (bucket > next_bucket(targets)) return true;
-    const Node node = rising_.pop(bucket);
-    if (value(node) == kInfinite || (tag(node) & kRoot) != 0 || is_supported(node)) continue;
-    const std::uint64_t now = key(node, value(node));
-    if (rising_.bucket_of(now) > bucket) {
-      rising_.push(now, node);
-    } else {
-      rise(node);
-    }
+    rising_.empty(
+        bucket, [this](Node node) { graph_->prefetch(node); },
+        [&](Node node) {
+          if (effort_.dropped <= may_drop_) rise_if_due(node, bucket);
+        });
     if (effort_.dropped > may_drop_) return false;
   }
   return true;
+}
+
+void DStarLite::rise_if_due(Node node, std::uint64_t bucket) {
+  if (value(node) == kInfinite || (tag(node) & kRoot) != 0 || is_supported(node)) return;
+  const std::uint64_t now = key(node, value(node));
+  if (rising_.bucket_of(now) > bucket) {
+    rising_.push(now, node);
+  } else {
+    rise(node);
+  }
 }
 
 /// Another parent at no higher cost will do, even one that has to rise later, as this node then does too. It is none

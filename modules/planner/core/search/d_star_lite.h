@@ -60,12 +60,13 @@ class DStarLite {
 
   CellWord& word(Node node) { return node < cells_ ? graph_->terrain().word(node) : tight(node); }
   CellWord& tight(Node node);
+  static void close(CellWord& word) { word.set_tag(word.tag() & static_cast<std::uint8_t>(~kOpen)); }
   std::uint64_t value(Node node) { return word(node).value(); }
   std::uint8_t tag(Node node) { return word(node).tag(); }
   std::uint64_t ahead(std::int32_t x, std::int32_t y) const { return graph_->least_cost(x - target_.x, y - target_.y); }
   std::uint64_t key(Node node, std::uint64_t value) const;
   void lower(Node node, std::uint64_t value, Link link);
-  void empty(std::uint64_t bucket, const std::vector<Node>& targets, std::vector<Node>& beyond);
+  void expand_all(std::uint64_t bucket, const std::vector<Node>& targets, std::vector<Node>& beyond);
   void look_at(Node node, std::uint64_t bucket, std::uint64_t goal, std::vector<Node>& beyond);
   void expand(Node node, Cell cell);
   bool expand_roomy(Node node, Cell cell);
@@ -77,6 +78,7 @@ class DStarLite {
   bool is_supported(Node node);
   void wait_to_rise(Node node);
   bool rise_before(const std::vector<Node>& targets);
+  void rise_if_due(Node node, std::uint64_t bucket);
   void rise(Node node);
   std::uint64_t least(const std::vector<Node>& targets);
   std::uint64_t next_bucket(const std::vector<Node>& targets);

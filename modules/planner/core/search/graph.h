@@ -53,13 +53,20 @@ class Graph {
   /// The node that `node` hangs on by `link`.
   Node parent(Node node, Link link) const;
 
-  /// The steps between roomy cells that gain something, as bits, from one inside its block; nothing when it or a cell
-  /// beside it is anything but roomy or blocked, or nobody has asked for it yet.
-  std::optional<unsigned> gaining_steps(const CellWord* cell) const {
-    const Surroundings around = look_around(cell, units_[0], units_[1]);
+  /// The steps from a roomy cell inside its block to roomy ones, as bits; nothing when it or a cell beside it is
+  /// anything but roomy or blocked, or nobody has asked for it yet.
+  std::optional<unsigned> open_steps(Node node) const {
+    if (is_tight(node) || !Frame::is_inner(node)) return std::nullopt;
+    const Surroundings around = look_around(&terrain_->word(node), unit_rows_);
     if (!around.simple) return std::nullopt;
-    const unsigned open = corners_block_ ? kStraightSteps | beside_on_both_sides(around.roomy) : ~0u;
-    return around.better & around.roomy & open;
+    return around.roomy & allowed(around.roomy);
+  }
+  /// Of these, the ones that cost less than the value there.
+  std::optional<unsigned> gaining_steps(Node node) const {
+    if (is_tight(node) || !Frame::is_inner(node)) return std::nullopt;
+    const Surroundings around = look_around(&terrain_->word(node), unit_rows_);
+    if (!around.simple) return std::nullopt;
+    return around.better & around.roomy & allowed(around.roomy);
   }
   /// The cost of one of these.
   std::uint64_t cost_of_step(const CellWord* cell, int step) const {
@@ -70,6 +77,8 @@ class Graph {
   std::uint64_t dearest_step() const { return std::uint64_t{2} * units_[1] * Terrain::kWeightMask; }
   /// Fetches what expanding a node will look at.
   void prefetch(Node node) const {
+    // Without it the compiler takes this for a function without effect and leaves out its calls.
+    asm volatile("");
     if (is_tight(node)) return;
     const CellWord* const cell = &terrain_->word(node);
     for (const int step : {0, 1, 3, 4, 5, 7}) __builtin_prefetch(cell + kInnerStep[static_cast<std::size_t>(step)]);
@@ -103,6 +112,8 @@ class Graph {
     return std::uint64_t{units_[step & 1]} * (Terrain::weight_of(a) + Terrain::weight_of(b));
   }
   static std::uint64_t if_backwards(int match, std::uint64_t cost) { return match >= 3 ? 2 * cost : cost; }
+  /// The steps that cut no corner, where corners block.
+  unsigned allowed(unsigned roomy) const { return corners_block_ ? kStraightSteps | beside_on_both_sides(roomy) : ~0u; }
   static constexpr unsigned kStraightSteps = 0x55;
   /// The diagonal steps whose two straight neighbours are both among `steps` (bit k: step k).
   static unsigned beside_on_both_sides(unsigned steps) {
@@ -114,6 +125,7 @@ class Graph {
     return terrain_->frame().beside(index, kStepX[at], kStepY[at]);
   }
 
+  std::optional<std::uint64_t> cost_between_roomy(Node from, int step);
   template <bool kBelow, class Visit>
   void edges(Node node, Visit&& visit);
   template <bool kBelow, class Visit>
@@ -134,6 +146,7 @@ class Graph {
   Node cells_;
   bool corners_block_;
   std::array<std::uint32_t, 2> units_;
+  UnitRows unit_rows_;
   std::uint64_t least_straight_;
   std::uint64_t least_diagonal_rise_;
 };

@@ -41,8 +41,8 @@ void Graph::edges_of_roomy(Node node, Visit&& visit) {
     for (int k = 0; headings != 0 && k < kMatches; ++k) {
       const int heading = match(travel<kBelow>(step), k);
       if (((headings >> heading) & 1) == 0 || !terrain_->can_step(node, heading, step)) continue;
-      const Link how =
-          kBelow ? link_of(opposite(step), kRoomyParent) : link_of(step, static_cast<unsigned>(match_of(step, heading)) + 1);
+      const Link how = kBelow ? link_of(opposite(step), kRoomyParent)
+                              : link_of(step, static_cast<unsigned>(match_of(step, heading)) + 1);
       visit(tight_node(slot, heading), if_backwards(k, cost), how);
     }
   }

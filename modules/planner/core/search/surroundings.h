@@ -33,13 +33,20 @@ constexpr int kRoomyShift = 8;
 
 }  // namespace lanes
 
-/// `straight` and `diagonal`: costs of a step between cells of weight 1/2.
-[[gnu::always_inline]] inline Surroundings look_around(const CellWord* cell, std::uint32_t straight,
-                                                       std::uint32_t diagonal) {
+/// Costs of the steps between cells of weight 1/2, lane by lane: for the rows below and above, and for the cell's own.
+struct UnitRows {
+  lanes::Row beside;
+  lanes::Row own;
+};
+inline UnitRows unit_rows(std::uint32_t straight, std::uint32_t diagonal) {
+  const std::uint64_t s = straight, d = diagonal;
+  return {lanes::Row{d, s, d, 0}, lanes::Row{s, 0, s, 0}};
+}
+
+[[gnu::always_inline]] inline Surroundings look_around(const CellWord* cell, const UnitRows& units) {
   using lanes::Row, lanes::Signed, lanes::Halves;
   const std::uint64_t weight = cell->field() & Terrain::kWeightMask;
   const std::uint64_t value = cell->value();
-  const Row units[2] = {{diagonal, straight, diagonal, 0}, {straight, 0, straight, 0}};
   Row all = ~Row{};
   Row found = {};
 #pragma GCC unroll 3
@@ -49,7 +56,7 @@ constexpr int kRoomyShift = 8;
     all &= words;
     // Weights have 14 bits and units 13, so the product fits in the lower half of a lane.
     const Row weights = ((words >> CellWord::kFieldShift) & Terrain::kWeightMask) + weight;
-    const Row costs = Row(Halves(weights) * Halves(units[y == 0 ? 1 : 0])) + value;
+    const Row costs = Row(Halves(weights) * Halves(y == 0 ? units.own : units.beside)) + value;
     const Row better = Row(Signed(~words >> CellWord::kValueShift) > Signed(costs));
     // Of the two bits of the class, roomy and tight have the upper one.
     const Row roomy = Row(Signed(words << (63 - Terrain::kClassShift - CellWord::kFieldShift - 1)) < 0);
