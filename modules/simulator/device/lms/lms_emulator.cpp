@@ -17,9 +17,10 @@ constexpr unsigned kOutputs = 0x38;
 
 constexpr unsigned kDenied = 1, kNoMethod = 2, kNoVariable = 3, kTooFewValues = 8, kNoCommand = 12, kNoEvent = 15;
 
-constexpr Utime kAfterLastBeam = 18'900;    // Recorded scans are sent 40.2 to 41.0 ms after their first beam.
-constexpr std::int64_t kMostAtOnce = 1000;  // Scans, after a pause; earlier ones are lost, as the counter says.
-constexpr double kJitter_us = 80.0;         // Recorded scans come every 39.7 to 40.4 ms.
+constexpr Utime kAfterLastBeam = 18'900;     // Recorded scans are sent 40.2 to 41.0 ms after their first beam.
+constexpr std::int64_t kMostWaiting = 1000;  // Scans, after a pause; earlier ones are lost, as the counter says.
+constexpr std::int64_t kAtATime = 8;         // Scans; the other devices have their turn in between.
+constexpr double kJitter_us = 80.0;          // Recorded scans come every 39.7 to 40.4 ms.
 
 unsigned level_of(unsigned level, std::uint32_t password) {
   const bool right = (level == 2 && password == 0xB21ACE26) || (level == 3 && password == 0xF4724744) ||
@@ -242,7 +243,8 @@ std::vector<std::string> LmsEmulator::tick(Utime now) {
   std::vector<std::string> frames;
   if (!measuring_ || !subscribed_) return frames;
   const std::int64_t last = last_turn_before(now);
-  for (next_turn_ = std::max(next_turn_, last - kMostAtOnce); next_turn_ <= last; ++next_turn_) {
+  next_turn_ = std::max(next_turn_, last - kMostWaiting);
+  for (const std::int64_t end = std::min(last + 1, next_turn_ + kAtATime); next_turn_ < end; ++next_turn_) {
     if (next_turn_ % content_.every != 0) continue;
     frames.push_back(encode(scan(next_turn_, now), cola_));
     first_after_run_ = false;

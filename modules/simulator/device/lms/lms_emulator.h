@@ -42,7 +42,7 @@ class LmsEmulator {
 
   /// Its answers.
   std::string receive(std::string_view bytes, Utime now);
-  /// The scans that are due by now, each a frame.
+  /// The next scans that are due by now, some at a time, each a frame.
   std::vector<std::string> tick(Utime now);
   /// Subscriptions and login end with the connection; settings stay.
   void hang_up();
