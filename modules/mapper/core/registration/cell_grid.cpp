@@ -1,6 +1,7 @@
 #include "modules/mapper/core/registration/cell_grid.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 namespace scanway::registration {
@@ -27,6 +28,28 @@ CellGrid::CellGrid(const Points& points, float cell_m)
     original_.push_back(order[i].second);
   }
   begin_.push_back(static_cast<std::uint32_t>(order.size()));
+}
+
+std::uint32_t CellGrid::runs_about_cell(std::uint32_t position, float radius,
+                                        std::vector<std::pair<std::uint32_t, std::uint32_t>>& runs) const {
+  const auto at = [&](float v) { return floor_to_int(v * per_metre_); };
+  const Eigen::Vector3i home(at(points_[position].x()), at(points_[position].y()), at(points_[position].z()));
+  const std::int32_t reach = floor_to_int(radius * per_metre_ * 1.0001f) + 1;
+  const auto gap2 = [&](std::int32_t cells) {  // between two layers of cells that many apart
+    const float gap = cell_m_ * static_cast<float>(std::max(0, std::abs(cells) - 1)) * 0.9999f;
+    return gap * gap;
+  };
+  runs.clear();
+  for (std::int32_t z = -reach; z <= reach; ++z) {
+    for (std::int32_t y = -reach; y <= reach; ++y) {
+      for (std::int32_t x = -reach; x <= reach; ++x) {
+        if (gap2(x) + gap2(y) + gap2(z) > radius * radius) continue;
+        const std::uint32_t cell = table_.find(cell_key(home.x() + x, home.y() + y, home.z() + z));
+        if (cell != CellTable::kNone) runs.emplace_back(begin_[cell], begin_[cell + 1]);
+      }
+    }
+  }
+  return begin_[table_.find(cell_key(home.x(), home.y(), home.z())) + 1];
 }
 
 bool CellGrid::any_within(const Eigen::Vector3f& query, float radius) const {

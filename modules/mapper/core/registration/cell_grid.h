@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 #include "modules/mapper/core/registration/cell_table.h"
 #include "modules/mapper/core/registration/points.h"
@@ -36,6 +37,11 @@ class CellGrid {
       return true;
     });
   }
+
+  /// Runs of positions that together hold everything within `radius` of any point of the cell of `position`, in rising
+  /// order: found once, they serve all points of that cell, which end at the returned position.
+  std::uint32_t runs_about_cell(std::uint32_t position, float radius,
+                                std::vector<std::pair<std::uint32_t, std::uint32_t>>& runs) const;
 
   struct Nearest {
     std::uint32_t position = CellTable::kNone;  ///< kNone: nothing within the radius.

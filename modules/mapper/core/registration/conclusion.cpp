@@ -85,6 +85,7 @@ Attempt attempt_registration(const PreparedScan::Data& source, const PreparedSca
     candidates.insert(candidates.end(), more.begin(), more.end());
     candidates = rank_candidates(std::move(candidates));
     if (auto conclusion = conclude(candidates, source, target, stages)) {
+      conclusion->evidence.tracked = prior.has_value();
       attempt.result = result_of(*conclusion, source, target);
       attempt.conclusion = std::move(conclusion);
     }

@@ -1,7 +1,9 @@
 #include "modules/mapper/core/registration/fpfh.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 
 #include "common/parallel/blocks.h"
 
@@ -34,9 +36,15 @@ float atan2_approx(float y, float x) {
 
 int bin_of(float unit) { return std::clamp(static_cast<int>(unit * kAngleBins), 0, kAngleBins - 1); }
 
+/// A pair's bins of the three histograms.
+struct PairBins {
+  std::array<std::uint8_t, 3> bin{};
+  bool defined = false;
+};
+
 /// The three angles of a pair in its Darboux frame (Rusu 2009, equation 1), as bins of the histogram. The frame stands
-/// on the point whose normal makes the smaller angle with the line between them. False where the frame is undefined.
-bool pair_bins(const Eigen::Vector3f& d, float d2, const Eigen::Vector3f& n1, const Eigen::Vector3f& n2, int bins[3]) {
+/// on the point whose normal makes the smaller angle with the line between them, so both points of a pair see the same.
+PairBins pair_bins(const Eigen::Vector3f& d, float d2, const Eigen::Vector3f& n1, const Eigen::Vector3f& n2) {
   const float inverse = 1.0f / std::sqrt(d2);
   const float angle1 = n1.dot(d) * inverse, angle2 = n2.dot(d) * inverse;
   const bool swap = std::fabs(angle1) < std::fabs(angle2);
@@ -46,29 +54,47 @@ bool pair_bins(const Eigen::Vector3f& d, float d2, const Eigen::Vector3f& n1, co
   const float phi = swap ? -angle2 : angle1;
   Eigen::Vector3f v = sign * d.cross(u);
   const float v2 = v.squaredNorm();
-  if (!(v2 > 1e-12f * d2)) return false;
+  if (!(v2 > 1e-12f * d2)) return {};
   v *= 1.0f / std::sqrt(v2);
   const float theta = atan2_approx(u.cross(v).dot(n), u.dot(n));
-  bins[0] = bin_of((theta + kPi) * (0.5f / kPi));
-  bins[1] = kAngleBins + bin_of((v.dot(n) + 1.0f) * 0.5f);
-  bins[2] = 2 * kAngleBins + bin_of((phi + 1.0f) * 0.5f);
-  return true;
+  const auto bin = [](int third, float unit) { return static_cast<std::uint8_t>(third * kAngleBins + bin_of(unit)); };
+  return {{bin(0, (theta + kPi) * (0.5f / kPi)), bin(1, (v.dot(n) + 1.0f) * 0.5f), bin(2, (phi + 1.0f) * 0.5f)}, true};
 }
 
 bool has_normal(const Eigen::Vector3f& normal) { return normal.squaredNorm() > 0.5f; }
 
+/// The bins of every entry of the neighbourhoods. Each pair is computed once, by the point that comes first; lists are
+/// in rising order, so a point's entries for those before it are filled in the order in which these come by.
+std::vector<PairBins> all_pairs(const Points& points, const Points& normals, const Neighbourhoods& neighbourhoods) {
+  std::vector<PairBins> pairs(neighbourhoods.index.size());
+  for_blocks(points.size(), kBlock, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (!has_normal(normals[i])) continue;
+      for (std::uint32_t k = neighbourhoods.begin[i]; k < neighbourhoods.begin[i + 1]; ++k) {
+        const std::uint32_t j = neighbourhoods.index[k];
+        const float d2 = neighbourhoods.squared_distance[k];
+        if (j < i || !has_normal(normals[j]) || !(d2 > 0.0f)) continue;
+        pairs[k] = pair_bins(points[j] - points[i], d2, normals[i], normals[j]);
+      }
+    }
+  });
+  std::vector<std::uint32_t> next(neighbourhoods.begin.begin(), neighbourhoods.begin.end() - 1);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::uint32_t k = neighbourhoods.begin[i]; k < neighbourhoods.begin[i + 1]; ++k) {
+      const std::uint32_t j = neighbourhoods.index[k];
+      if (j > i) pairs[next[j]++] = pairs[k];
+    }
+  }
+  return pairs;
+}
+
 /// The simplified histogram of one point: over the pairs of it and each of its neighbours.
-Fpfh simple_histogram(std::size_t i, const Points& points, const Points& normals,
-                      const Neighbourhoods& neighbourhoods) {
+Fpfh simple_histogram(std::size_t i, const std::vector<PairBins>& pairs, const Neighbourhoods& neighbourhoods) {
   Fpfh histogram{};
-  if (!has_normal(normals[i])) return histogram;
   const float share = 100.0f / static_cast<float>(std::max<std::size_t>(1, neighbourhoods.of(i).size()));
   for (std::uint32_t k = neighbourhoods.begin[i]; k < neighbourhoods.begin[i + 1]; ++k) {
-    const std::uint32_t j = neighbourhoods.index[k];
-    int bins[3];
-    if (!has_normal(normals[j]) || !(neighbourhoods.squared_distance[k] > 0.0f)) continue;
-    if (!pair_bins(points[j] - points[i], neighbourhoods.squared_distance[k], normals[i], normals[j], bins)) continue;
-    for (const int bin : bins) histogram[static_cast<std::size_t>(bin)] += share;
+    if (!pairs[k].defined) continue;
+    for (const std::uint8_t bin : pairs[k].bin) histogram[bin] += share;
   }
   return histogram;
 }
@@ -98,9 +124,10 @@ Fpfh weighted_histogram(std::size_t i, const std::vector<Fpfh>& simple, const Ne
 
 std::vector<Fpfh> compute_fpfh(const Points& points, const Normals& normals, const Neighbourhoods& neighbourhoods) {
   std::vector<Fpfh> simple(points.size()), result(points.size());
+  const std::vector<PairBins> pairs = all_pairs(points, normals.normal, neighbourhoods);
   for_blocks(points.size(), kBlock, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t i = begin; i < end; ++i) {
-      simple[i] = simple_histogram(i, points, normals.normal, neighbourhoods);
+      simple[i] = simple_histogram(i, pairs, neighbourhoods);
     }
   });
   for_blocks(points.size(), kBlock, [&](std::size_t begin, std::size_t end, std::size_t) {

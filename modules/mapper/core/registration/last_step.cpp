@@ -13,7 +13,7 @@
 namespace scanway::registration {
 namespace {
 
-constexpr std::size_t kBlock = 256, kParts = 16, kMinMatches = 50;
+constexpr std::size_t kBlock = 256, kParts = 16, kMinMatches = 24;
 constexpr float kPart = 4.0f;          // metres: larger than most things, smaller than most scenes
 constexpr float kRadius = 0.6f;        // of a plane, in edges of the source's cell
 constexpr double kMinPoints = 6.0;     // of a plane

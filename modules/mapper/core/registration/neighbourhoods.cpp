@@ -1,5 +1,7 @@
 #include "modules/mapper/core/registration/neighbourhoods.h"
 
+#include <utility>
+
 #include "common/parallel/blocks.h"
 
 namespace scanway::registration {
@@ -14,13 +16,20 @@ struct Part {
 
 Part search(const CellGrid& grid, float radius_m, std::size_t begin, std::size_t end) {
   Part part;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> runs;
+  std::size_t cell_end = begin;
+  const float limit = radius_m * radius_m;
   for (std::size_t i = begin; i < end; ++i) {
+    if (i >= cell_end) cell_end = grid.runs_about_cell(static_cast<std::uint32_t>(i), radius_m, runs);
     const std::size_t before = part.index.size();
-    grid.for_each_within(grid.points()[i], radius_m, [&](std::uint32_t j, float d2) {
-      if (j == i) return;
-      part.index.push_back(j);
-      part.squared_distance.push_back(d2);
-    });
+    for (const auto& [first, last] : runs) {
+      for (std::uint32_t j = first; j < last; ++j) {
+        const float d2 = (grid.points()[j] - grid.points()[i]).squaredNorm();
+        if (d2 > limit || j == i) continue;
+        part.index.push_back(j);
+        part.squared_distance.push_back(d2);
+      }
+    }
     part.count.push_back(static_cast<std::uint32_t>(part.index.size() - before));
   }
   return part;
@@ -35,6 +44,11 @@ Neighbourhoods find_neighbourhoods(const CellGrid& grid, float radius_m) {
   });
   Neighbourhoods all;
   all.begin.push_back(0);
+  std::size_t total = 0;
+  for (const Part& part : parts) total += part.index.size();
+  all.begin.reserve(grid.size() + 1);
+  all.index.reserve(total);
+  all.squared_distance.reserve(total);
   for (const Part& part : parts) {
     for (const std::uint32_t count : part.count) all.begin.push_back(all.begin.back() + count);
     all.index.insert(all.index.end(), part.index.begin(), part.index.end());

@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::size_t kFirstSamples = 400, kSecondSamples = 1500, kFineSamples = 8000;
 constexpr std::size_t kSecondLook = 6;  // candidates of the first look that get a second
+constexpr double kMinSupport = 0.05;    // of overlap: where scans hardly meet, nothing contradicts either
 constexpr double kDistinctMetres = 0.5, kDistinctRadians = 0.09;
 
 bool distinct(const Pose& a, const Pose& b) {
@@ -29,7 +30,11 @@ std::vector<Candidate> look(std::vector<Candidate> candidates, const PreparedSca
         run_icp(source.few_surfaces, {target.surfaces, target.surface_grid}, c.T_target_source, round).T_target_source;
     c.evidence.agreement = assess(source, target, c.T_target_source, samples);
   });
-  std::erase_if(candidates, [&](const Candidate& c) { return bounds && !within(*bounds, c.T_target_source.linear()); });
+  std::erase_if(candidates, [&](const Candidate& c) {
+    const Agreement& a = c.evidence.agreement;
+    return std::min(a.overlap, a.overlap_back) < kMinSupport ||
+           (bounds && !within(*bounds, c.T_target_source.linear()));
+  });
   return rank_candidates(std::move(candidates));
 }
 

@@ -13,9 +13,14 @@ namespace scanway::registration {
 namespace {
 
 constexpr double kAcceptedProbability = 0.9;
-constexpr double kOpenShare = 0.008;  // of the information: the noise of normals alone (3 degrees) gives 0.003
+constexpr double kOpenProbability = 0.3;  // with an open direction: the share that was right all the same
+constexpr double kOpenShare = 0.010;      // of the information: the noise of normals alone gives up to 0.009
 constexpr double kOpenLever = 0.4;    // metres: at this lever surfaces that are 3 mm off turn the scan by 0.4 degrees
 constexpr double kMinOverlap = 0.22;  // below, too little of either scan bears the answer
+
+constexpr double kRightMetres = 0.1, kRightRadians = 0.5 * repeatable::kPi / 180.0;
+
+double logistic(double z) { return 1.0 / (1.0 + repeatable::exp(-z)); }
 
 std::string format(const char* text, double a, double b = 0.0, double c = 0.0) {
   char buffer[200];
@@ -51,14 +56,20 @@ Eigen::Matrix3d marginal(const Eigen::Matrix3d& own, const Eigen::Matrix3d& cros
 
 }  // namespace
 
-// Both models: tests/bench/registration/fit_verdict.py on the evidence of right and wrong poses of all real sets.
+// Fitted by tests/bench/registration/fit_rank.py to right and wrong candidates of the real sets.
 double rank_of(const Evidence& e) {
   return -10.542 + 2.543 * e.agreement.surface_fit - 2.494 * repeatable::log(e.agreement.conflict + 0.003);
 }
 
+// Both models fitted by tests/bench/registration/fit_verdict.py.
 double probability_right(const Evidence& e) {
-  const double z = 2.302 + 2.064 * rank_of(e) + 1.018 * std::clamp(e.margin, -kMaxMargin, kMaxMargin);
-  return 1.0 / (1.0 + repeatable::exp(-z));
+  const double held = repeatable::log(e.held_fit + 0.01);
+  const double place = -6.26 - 1.73 * repeatable::log(e.agreement.conflict + 0.003) + 0.91 * e.agreement.surface_fit -
+                       0.21 * held + 0.81 * std::clamp(e.margin, -kMaxMargin, kMaxMargin) -
+                       3.46 * (e.tracked ? 0.0 : 1.0);
+  const double sigma = std::max(e.sigma_m / kRightMetres, e.sigma_rad / kRightRadians);
+  const double precise = 1.48 - 1.28 * repeatable::log(std::min(sigma, 10.0) + 0.003) + 0.22 * held;
+  return logistic(place) * logistic(precise);
 }
 
 Observability observe(const IcpResult& icp) {
@@ -89,7 +100,7 @@ void decide(const Evidence& evidence, const Observability& observability, Regist
                                      100.0 * a.overlap, 100.0 * a.conflict);
   result.verdict = Verdict::refused;
   if (!result.open_directions.empty()) {
-    result.probability = std::min(result.probability, 0.5);
+    result.probability = std::min(result.probability, kOpenProbability);
     result.reason = "The scene leaves a motion open: " + result.open_directions.front() + ".";
   } else if (std::min(a.overlap, a.overlap_back) < kMinOverlap) {
     result.probability = std::min(result.probability, 0.5);

@@ -14,6 +14,7 @@ constexpr double kMaxMargin = 5.0;
 struct Evidence {
   Agreement agreement;
   double rmse_m = 0.0;
+  bool tracked = false;        ///< Whether a tracker's orientation bounded the search.
   double margin = kMaxMargin;  ///< Rank less that of the second-best distinct pose.
   double held_fit = 0.0;       ///< Surface fit of the direction that is held worst: see held_fit().
   double sigma_m = 1.0;        ///< Of the translation and the rotation, by the last step.
@@ -25,7 +26,8 @@ struct Evidence {
 /// Log-odds of a pose by how well the scans agree there, without its rivals: what poses are ranked by.
 double rank_of(const Evidence& evidence);
 
-/// The probability that the pose is right within 0.1 m and 0.5 degrees.
+/// The probability that the pose is right within 0.1 m and 0.5 degrees: that it is the right one of the places that
+/// look alike, by how well the scans agree there and elsewhere, times that it is precise enough, by the last step.
 double probability_right(const Evidence& evidence);
 
 /// Which motions the matched surfaces leave open.
