@@ -26,7 +26,8 @@ constexpr SteadyTime kBasePatience = 5 * kSecond;
 /// A mapper or planner at work on a large sweep says nothing else meanwhile.
 constexpr SteadyTime kMapPatience = 120 * kSecond;
 constexpr SteadyTime kCommandPeriod = 20'000;  // Commands run out after 150 ms (docs/devices.md).
-constexpr SteadyTime kOdometryAge = kSecond / 2;
+constexpr SteadyTime kOdometryAge = kSecond / 4;  // Older, and the robot is told to stand.
+constexpr SteadyTime kSilence = 3 * kSecond;
 constexpr SteadyTime kStuck = 5 * kSecond;
 constexpr SteadyTime kStandsWithin = 3 * kSecond;
 
@@ -120,11 +121,16 @@ std::string Driver::follow(const path_t& path, double speed_m_s) {
   for (SteadyTime next = 0; trouble.empty(); bus_.dispatch(kWait)) {
     if (steady_now() < next) continue;
     next = steady_now() + kCommandPeriod;
+    const SteadyTime age = steady_now() - odometry_heard_;
+    if (age > kSilence) trouble = "the base has fallen silent";
+    if (age > kOdometryAge) {
+      tell_base({});
+      continue;
+    }
     const Pose X_map_base = X_map_odometry_ * X_odometry_base_;
     const auto motion = follower.next(X_map_base.translation().head<2>(), heading_of(X_map_base.linear()));
     if (!motion) break;
     tell_base(*motion);
-    if (steady_now() - odometry_heard_ > kOdometryAge) trouble = "the base has fallen silent";
     if (progress.stuck(X_odometry_base_)) trouble = "it does not move, though it is told to";
   }
   stand();
