@@ -207,7 +207,18 @@ bool SweepAssembler::is_complete(const OpenSweep& sweep) const {
   const Utime ended = *sweep.ended;
   const auto reaches = [&](const Input& input) { return input.messages.newest().value_or(0) >= ended; };
   return reaches(angles_) && reaches(imu_) && !line_times_.empty() && line_times_.rbegin()->second.end >= ended &&
-         missing_lines(sweep).empty();
+         last_line_is_whole(ended) && missing_lines(sweep).empty();
+}
+
+/// Of the line that the pan ends in, some pieces may still be in flight, which nobody misses yet.
+bool SweepAssembler::last_line_is_whole(Utime ended) const {
+  std::int64_t last = -1;
+  for (const auto& [number, time] : line_times_) {
+    if (time.begin <= ended) last = number;
+  }
+  const LineStretches missing = collector_.missing();
+  return std::none_of(missing.begin(), missing.end(),
+                      [last](const auto& stretch) { return stretch.first <= last && last <= stretch.second; });
 }
 
 bool SweepAssembler::is_given_up(const OpenSweep& sweep) const {

@@ -80,6 +80,7 @@ class SweepAssembler {
   LineStretches missing_lines(const OpenSweep& sweep) const;
   LineStretches missing_at_edges(const OpenSweep& sweep) const;
   bool is_complete(const OpenSweep& sweep) const;
+  bool last_line_is_whole(Utime ended) const;
   bool is_given_up(const OpenSweep& sweep) const;
   void make(const Number& number, const OpenSweep& sweep);
   void publish(const AssembledSweep& assembled, Utime ended, sweep_inputs_t inputs);

@@ -127,5 +127,40 @@ TEST(SweepAssembler, InSilenceItAsksAFewTimesAndThenTakesWhatIsThere) {
   EXPECT_FALSE(assembler.node.busy());
 }
 
+/// Each line in two pieces, and all lines after all that the other channels say.
+Log in_pieces_after_the_rest(const Log& log) {
+  Log rest, lines;
+  for (const Said& said : log) {
+    if (!is_line(said)) {
+      rest.push_back(said);
+      continue;
+    }
+    const auto whole = decode<laser_line_t>(said.bytes);
+    const auto half = static_cast<std::ptrdiff_t>(whole.nbeams / 2);
+    laser_line_t left = whole, right = whole;
+    left.range_count.resize(static_cast<std::size_t>(half));
+    left.rssi_count.resize(static_cast<std::size_t>(half));
+    right.range_count.erase(right.range_count.begin(), right.range_count.begin() + half);
+    right.rssi_count.erase(right.rssi_count.begin(), right.rssi_count.begin() + half);
+    right.first_beam = static_cast<std::int32_t>(half);
+    for (laser_line_t* piece : {&left, &right}) {
+      piece->nbeams = piece->nrssi = static_cast<std::int32_t>(piece->range_count.size());
+      lines.push_back({said.channel, encode(*piece), said.utime});
+    }
+  }
+  rest.insert(rest.end(), lines.begin(), lines.end());
+  return rest;
+}
+
+TEST(LostLines, ASweepIsNotMadeBeforeTheLastPieceOfItsLastLine) {
+  const Log log = in_pieces_after_the_rest(raw_log());
+  Assembler assembler;
+  assembler.feed(log).finish();
+  ASSERT_EQ(assembler.sweeps.size(), 1U);
+  EXPECT_EQ(assembler.sweeps[0].bytes, encode(expected(raw_log()).sweep));
+  EXPECT_EQ(assembler.node.counters().at("assembler_missing_beams"), 0);
+  EXPECT_EQ(assembler.node.counters().at("assembler_late_lines"), 0);
+}
+
 }  // namespace
 }  // namespace scanway::test
