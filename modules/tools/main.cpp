@@ -111,13 +111,16 @@ void add_plan(CLI::App& app, Action& action) {
   command->add_option("--unknown", options.unknown, "What may be done with unknown cells")
       ->check(CLI::IsMember({"never", "price", "free"}))
       ->capture_default_str();
-  command->add_flag("--smooth,!--no-smooth", options.smooth,
-                    "Straighten the path and round its corners (default: in mode footprint)");
+  auto* smooth =
+      command->add_flag("--smooth", "Straighten the path and round its corners (default: in mode footprint)");
+  auto* cells = command->add_flag("--no-smooth", "Leave it as the search found it")->excludes(smooth);
   command->add_flag("--explain", options.explain, "Say what is in the way, and where");
   command->add_option("--robot", options.robot, "Robot file (default: ERA-Mobi)");
   command->add_option("-o,--output", options.output, "Folder for path.csv and path.png");
   command->add_flag("--json", options.json, "One JSON document on stdout");
-  command->callback([&action, goal, scen] {
+  command->callback([&action, goal, scen, smooth, cells] {
+    if (!smooth->empty()) options.smooth = true;
+    if (!cells->empty()) options.smooth = false;
     if (scen->empty() && goal->empty()) throw CLI::RequiredError("MAP.yaml --start X,Y --goal X,Y, or --scen FILE");
     scenario.json = options.json;
     if (scen->empty()) action = [] { return run_plan(options); };
@@ -212,7 +215,8 @@ void add_simulate(CLI::App& app, Action& action) {
   truth->add_option("--robot", truth_options.robot, "Robot file: its climbable step and height");
   truth->add_option("-o,--output", truth_options.output, "MAP.yaml")->required();
   CLI::App* compare = simulate->add_subcommand("compare", "Poses and cost map of a replayed log against the truth");
-  compare->add_option("folder", compare_options.folder, "What scanway replay made of a simulated robot's log")->required();
+  compare->add_option("folder", compare_options.folder, "What scanway replay made of a simulated robot's log")
+      ->required();
   compare->add_option("--world", compare_options.world, "The simulator's")->required();
   compare->add_option("--seed", compare_options.seed, "The simulator's")->capture_default_str();
   compare->add_flag("--json", compare_options.json, "One JSON document on stdout");

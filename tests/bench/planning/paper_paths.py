@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The paper's two outdoor scenes, 10 m and 35 m between two sweeps of a simulated yard: paths without and with
+"""The paper's two outdoor scenes, 10 m and 35 m between two sweeps of a simulated robot: paths without and with
 embodiment, the paper's and ours, on the map that Scanway makes of the sweeps; pictures and tables on stdout.
 
 usage: paper_paths.py SCANWAY DIR [--runs N]     (SCANWAY: the program; DIR: for logs, maps and pictures)
@@ -12,10 +12,10 @@ import statistics
 import subprocess
 
 ROBOT = pathlib.Path(__file__).resolve().parents[3] / "launch/robots/era_mobi_simulated.yaml"
-# Name, poses of the two sweeps in the world, start and goal in the map (the first sweep's place is its origin).
+# Name, world and seed, poses of the two sweeps in it, start and goal in the map (the first sweep's place is its origin).
 SCENES = [
-    ("10 m", ["-20,1,0.0831", "-10.035,1.83,0.0831"], "1,-1", "16.2,-14.8"),
-    ("35 m", ["-18,1,0", "17,1,0"], "1,-1", "26.5,-12.8"),
+    ("10 m", ("yard", 1), ["-20,1,0.0831", "-10.035,1.83,0.0831"], "1,-1", "16.2,-14.8"),
+    ("35 m", ("street", 2), ["-19,-14.5,0", "16,-14.5,0"], "4,-3", "37,-3"),
 ]
 # The stages of what the paper calls FPFH: from the cloud to a rough pose.
 ROUGH = ("voxels", "surfaces", "neighbours", "normals", "fpfh", "matching", "hypotheses", "checks")
@@ -33,11 +33,11 @@ def run(scanway, *words):
 
 def make_map(scanway, scene, folder):
     """Simulates and replays a scene; returns the seconds of each stage, both scans together."""
-    name, poses, _, _ = scene
+    name, (world, seed), poses, _, _ = scene
     log = folder / "sweeps.lcm"
     if not log.exists():
         places = [word for pose in poses for word in (f"--pose={pose}",)]
-        run(scanway, "simulate", "sweep", "--world", "yard", "--seed", 1, "--thin", 2, *places, "-o", log)
+        run(scanway, "simulate", "sweep", "--world", world, "--seed", seed, "--thin", 2, *places, "-o", log)
     run(scanway, "replay", log, "-o", folder / "map", "--robot", ROBOT)
     report = json.loads((folder / "map/report.json").read_text())
     scans = report["scans"]
@@ -50,7 +50,7 @@ def make_map(scanway, scene, folder):
 
 
 def plan(scanway, scene, folder, mode):
-    _, _, start, goal = scene
+    _, _, _, start, goal = scene
     words = ["plan", folder / "map/costmap.yaml", f"--start={start}", f"--goal={goal}", "--robot", ROBOT]
     # In the paper a cell without an obstacle is free.
     words += ["--mode", mode, "--unknown", "free", "--json", "-o", folder / mode]
