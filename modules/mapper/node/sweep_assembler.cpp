@@ -6,7 +6,6 @@
 #include <cmath>
 #include <vector>
 
-#include "common/files/printable.h"
 #include "common/messages/codec.h"
 #include "common/messages/digest.h"
 #include "common/messages/imu_message.h"
@@ -30,7 +29,6 @@ constexpr Utime kMaxUtime = Utime{1} << 60;               // Messages say what t
 constexpr std::size_t kMostLineBytes = std::size_t{256} << 20;
 constexpr std::size_t kMostDone = 1000;
 constexpr int kMostSilences = 5;
-constexpr double kDegreesPerRadian = 57.29577951308232;
 
 template <class T>
 std::vector<T> decoded(const RawChannel::Messages& messages) {
@@ -101,8 +99,7 @@ void SweepAssembler::take_mark(const sweep_mark_t& mark, const BusMessage& messa
   }
   keep(marks_, mark.utime, message);
   if (mark.mark == sweep_mark_t::ABORTED) {
-    ++aborted_;
-    last_note_ = fmt::format("{} was given up by the pan-tilt: {}", assembled_key(mark.sweep), printable(mark.reason));
+    tally_.given_up(assembled_key(mark.sweep), mark.reason);
     done_.insert(number);
     open_.erase(number);
     return;
@@ -119,8 +116,7 @@ void SweepAssembler::drop_never_ended(const Number& but) {
     const auto& [number, sweep] = *one;
     const bool ends = sweep.ended || !sweep.started || *sweep.started >= started;
     if (!ends) {
-      ++never_ended_;
-      last_note_ = assembled_key(number.second) + " never ended";
+      tally_.never_ended(assembled_key(number.second));
       done_.insert(number);
     }
     one = ends ? std::next(one) : open_.erase(one);
@@ -140,7 +136,7 @@ void SweepAssembler::work() {
     const auto [number, sweep] = *one++;
     if (sweep.ready() && (is_complete(sweep) || is_given_up(sweep))) make(number, sweep);
     if (!sweep.started && newest_ > *sweep.ended + kLineBound) {
-      ++never_started_;
+      tally_.never_started();
       done_.insert(number);
       open_.erase(number);
     }
@@ -243,7 +239,7 @@ void SweepAssembler::make(const Number& number, const OpenSweep& sweep) {
   for (const auto& state : decoded<bot_core::joint_state_t>(angles)) input.angles.push_back(angles_of(state));
   for (const auto& one : decoded<bot_core::ins_t>(imu)) input.orientations.push_back({one.utime, orientation_of(one)});
   const AssembledSweep assembled = assemble(input, robot_);
-  note(assembled);
+  tally_.made(assembled);
 
   sweep_inputs_t inputs{};
   inputs.inputs = {
@@ -266,29 +262,6 @@ void SweepAssembler::publish(const AssembledSweep& assembled, Utime ended, sweep
   publish_object(bus_, channel::kSweep, bytes, sweep.name, ended, sweep.utime);
 }
 
-void SweepAssembler::note(const AssembledSweep& assembled) {
-  const AssemblyReport& report = assembled.report;
-  ++sweeps_;
-  missing_ += report.missing_lines;
-  missing_beams_ += report.missing_beams;
-  without_angle_ += report.without_angle;
-  std::vector<std::string> sentences;
-  if (report.points == 0) {
-    ++empty_;
-    sentences.push_back("holds no point");
-  }
-  if (report.missing_lines > 0) sentences.push_back(fmt::format("lacks {} lines", report.missing_lines));
-  if (report.missing_beams > 0) sentences.push_back(fmt::format("lacks {} beams of others", report.missing_beams));
-  if (report.without_angle > 0) sentences.push_back(fmt::format("{} beams have no pan angle", report.without_angle));
-  if (report.steadiness.moved) {
-    ++moved_;
-    sentences.push_back(fmt::format("the robot moved during it, by {:.2f} degrees as the tracker says",
-                                    report.steadiness.largest_turn_rad * kDegreesPerRadian));
-  }
-  last_note_.clear();
-  if (!sentences.empty()) last_note_ = fmt::format("{}: {}", assembled.sweep.name, fmt::join(sentences, ", "));
-}
-
 /// What no sweep will be made of any more.
 void SweepAssembler::forget() {
   const auto floor = [this](const Input& input) {
@@ -304,23 +277,17 @@ void SweepAssembler::forget() {
 }
 
 std::map<std::string, std::int64_t> SweepAssembler::counters() const {
-  return {{"assembler_sweeps", sweeps_},
-          {"assembler_sweeps_aborted", aborted_},
-          {"assembler_sweeps_never_ended", never_ended_},
-          {"assembler_sweeps_never_started", never_started_},
-          {"assembler_sweeps_empty", empty_},
-          {"assembler_sweeps_moved", moved_},
-          {"assembler_missing_lines", missing_},
-          {"assembler_missing_beams", missing_beams_},
-          {"assembler_beams_without_angle", without_angle_},
-          {"assembler_line_requests", asker_.requests()},
-          {"assembler_lines_asked", asker_.lines_asked()},
-          {"assembler_repeated_pieces", static_cast<std::int64_t>(collector_.repeated_pieces())},
-          {"assembler_late_lines", lines_.late},
-          {"assembler_late_angles", angles_.late},
-          {"assembler_late_marks", marks_.late},
-          {"assembler_late_imu", imu_.late},
-          {"assembler_bad_messages", bad_messages_}};
+  std::map<std::string, std::int64_t> all = tally_.counters();
+  all.merge(std::map<std::string, std::int64_t>{
+      {"assembler_line_requests", asker_.requests()},
+      {"assembler_lines_asked", asker_.lines_asked()},
+      {"assembler_repeated_pieces", static_cast<std::int64_t>(collector_.repeated_pieces())},
+      {"assembler_late_lines", lines_.late},
+      {"assembler_late_angles", angles_.late},
+      {"assembler_late_marks", marks_.late},
+      {"assembler_late_imu", imu_.late},
+      {"assembler_bad_messages", bad_messages_}});
+  return all;
 }
 
 std::string SweepAssembler::summary() const {
@@ -330,7 +297,7 @@ std::string SweepAssembler::summary() const {
     const std::string name = assembled_key(number.second);
     sentences.push_back(sweep.ended ? name + " waits for its data" : name + " is under way");
   }
-  if (!last_note_.empty()) sentences.push_back(last_note_);
+  if (!tally_.note().empty()) sentences.push_back(tally_.note());
   return fmt::format("{}", fmt::join(sentences, "; "));
 }
 

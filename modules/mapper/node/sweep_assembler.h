@@ -19,6 +19,7 @@
 #include "modules/mapper/core/assembly/line_collector.h"
 #include "modules/mapper/node/line_asker.h"
 #include "modules/mapper/node/raw_channel.h"
+#include "modules/mapper/node/sweep_tally.h"
 #include "scanway/laser_line_t.hpp"
 #include "scanway/sweep_inputs_t.hpp"
 #include "scanway/sweep_mark_t.hpp"
@@ -84,7 +85,6 @@ class SweepAssembler {
   bool is_given_up(const OpenSweep& sweep) const;
   void make(const Number& number, const OpenSweep& sweep);
   void publish(const AssembledSweep& assembled, Utime ended, sweep_inputs_t inputs);
-  void note(const AssembledSweep& assembled);
   void forget();
 
   Bus& bus_;
@@ -107,9 +107,8 @@ class SweepAssembler {
   bool closed_whole_ = true;  // No line lacked in it.
   int silences_ = 0;          // Since something came.
   std::size_t news_ = 0;
-  std::string last_note_;  // Of the last sweep.
-  std::int64_t sweeps_ = 0, aborted_ = 0, never_ended_ = 0, never_started_ = 0, empty_ = 0, moved_ = 0, missing_ = 0;
-  std::int64_t missing_beams_ = 0, without_angle_ = 0, bad_messages_ = 0;
+  SweepTally tally_;
+  std::int64_t bad_messages_ = 0;
 };
 
 }  // namespace scanway
