@@ -12,7 +12,8 @@ namespace {
 class Procfile : public testing::TestWithParam<const char*> {};
 
 TEST_P(Procfile, StartsProgramsThatTakeItsOptions) {
-  const std::regex line_form("^[a-z]+: launch/keep build/bin/(scanway-[a-z]+) (.*)$"), option_form("--[a-z-]+");
+  const std::regex line_form("^[a-z]+: launch/keep \"?(?:build|\\$SCANWAY_BUILD)/bin/(scanway-[a-z]+)\"? (.*)$"),
+      option_form("--[a-z-]+");
   std::istringstream lines(read_text(std::string(SCANWAY_SOURCE_DIR) + "/launch/" + GetParam()));
   int programs = 0;
   for (std::string line; std::getline(lines, line); ++programs) {
@@ -29,7 +30,7 @@ TEST_P(Procfile, StartsProgramsThatTakeItsOptions) {
   EXPECT_GE(programs, 2);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Procfile, testing::Values("Procfile", "Procfile.robot"));
+INSTANTIATE_TEST_SUITE_P(All, Procfile, testing::Values("Procfile", "Procfile.robot", "Procfile.sim"));
 
 }  // namespace
 }  // namespace scanway::test
