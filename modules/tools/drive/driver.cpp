@@ -27,7 +27,7 @@ constexpr SteadyTime kBasePatience = 5 * kSecond;
 constexpr SteadyTime kMapPatience = 120 * kSecond;
 constexpr SteadyTime kCommandPeriod = 20'000;  // Commands run out after 150 ms (docs/devices.md).
 constexpr SteadyTime kOdometryAge = kSecond / 4;  // Older, and the robot is told to stand.
-constexpr SteadyTime kSilence = 3 * kSecond;
+constexpr SteadyTime kSilence = 10 * kSecond;
 constexpr SteadyTime kStuck = 5 * kSecond;
 constexpr SteadyTime kStandsWithin = 3 * kSecond;
 
