@@ -12,8 +12,8 @@ import argparse
 import csv
 import math
 
-PRIOR_PRECISION = 0.1  # of the coefficients' normal prior: separable classes must not give infinite certainty
-ACCEPTED = 0.9
+PRIOR_PRECISION = 0.05  # of the coefficients' normal prior: separable classes must not give infinite certainty
+ACCEPTED = 0.85
 MIN_OVERLAP, OPEN_SHARE, OPEN_PROBABILITY = 0.22, 0.010, 0.3  # as in verdict.cpp
 PLACE = ["1", "log conflict", "surface fit", "log held fit", "margin", "without tracker"]
 PRECISE = ["1", "log sigma", "log held fit"]

@@ -12,7 +12,7 @@
 namespace scanway::registration {
 namespace {
 
-constexpr double kAcceptedProbability = 0.9;
+constexpr double kAcceptedProbability = 0.85;
 constexpr double kOpenProbability = 0.3;  // with an open direction: the share that was right all the same
 constexpr double kOpenShare = 0.010;      // of the information: the noise of normals alone gives up to 0.009
 constexpr double kOpenLever = 0.4;    // metres: at this lever surfaces that are 3 mm off turn the scan by 0.4 degrees
@@ -64,11 +64,11 @@ double rank_of(const Evidence& e) {
 // Both models fitted by tests/bench/registration/fit_verdict.py.
 double probability_right(const Evidence& e) {
   const double held = repeatable::log(e.held_fit + 0.01);
-  const double place = -6.26 - 1.73 * repeatable::log(e.agreement.conflict + 0.003) + 0.91 * e.agreement.surface_fit -
-                       0.21 * held + 0.81 * std::clamp(e.margin, -kMaxMargin, kMaxMargin) -
-                       3.46 * (e.tracked ? 0.0 : 1.0);
+  const double place = -8.18 - 1.87 * repeatable::log(e.agreement.conflict + 0.003) + 2.62 * e.agreement.surface_fit -
+                       0.48 * held + 0.98 * std::clamp(e.margin, -kMaxMargin, kMaxMargin) -
+                       4.10 * (e.tracked ? 0.0 : 1.0);
   const double sigma = std::max(e.sigma_m / kRightMetres, e.sigma_rad / kRightRadians);
-  const double precise = 1.48 - 1.28 * repeatable::log(std::min(sigma, 10.0) + 0.003) + 0.22 * held;
+  const double precise = 1.33 - 1.61 * repeatable::log(std::min(sigma, 10.0) + 0.003) + 0.35 * held;
   return logistic(place) * logistic(precise);
 }
 
