@@ -56,7 +56,7 @@ Eigen::Matrix3d marginal(const Eigen::Matrix3d& own, const Eigen::Matrix3d& cros
 
 }  // namespace
 
-// Fitted by tests/bench/registration/fit_rank.py to right and wrong candidates of the real sets.
+// A logistic model, fitted to right and wrong candidates of the real sets. It orders poses; the verdict has its own.
 double rank_of(const Evidence& e) {
   return -10.542 + 2.543 * e.agreement.surface_fit - 2.494 * repeatable::log(e.agreement.conflict + 0.003);
 }
