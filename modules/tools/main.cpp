@@ -111,9 +111,10 @@ void add_plan(CLI::App& app, Action& action) {
   command->add_option("--unknown", options.unknown, "What may be done with unknown cells")
       ->check(CLI::IsMember({"never", "price", "free"}))
       ->capture_default_str();
+  static bool wanted = false;
   auto* smooth =
-      command->add_flag("--smooth", "Straighten the path and round its corners (default: in mode footprint)");
-  auto* cells = command->add_flag("--no-smooth", "Leave it as the search found it")->excludes(smooth);
+      command->add_flag("--smooth", wanted, "Straighten the path and round its corners (default: in mode footprint)");
+  auto* cells = command->add_flag("--no-smooth", wanted, "Leave it as the search found it")->excludes(smooth);
   command->add_flag("--explain", options.explain, "Say what is in the way, and where");
   command->add_option("--robot", options.robot, "Robot file (default: ERA-Mobi)");
   command->add_option("-o,--output", options.output, "Folder for path.csv and path.png");
