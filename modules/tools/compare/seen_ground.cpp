@@ -122,7 +122,7 @@ SeenGround seen_ground(const World& world, const Robot& robot, const std::vector
     const auto width = static_cast<std::size_t>(window.width());
     for_blocks(window.size(), kRowsAtOnce * width, [&](std::size_t begin, std::size_t end, std::size_t) {
       for (std::size_t i = begin; i < end; ++i) {
-        if (near[i] == 0) continue;
+        if (near[i] == 0 || std::isnan(heights[i])) continue;
         ++seen.near[i];
         const double x = window.centre(window.low_x + static_cast<std::int32_t>(i % width));
         const double y = window.centre(window.low_y + static_cast<std::int32_t>(i / width));
