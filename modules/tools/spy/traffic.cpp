@@ -91,7 +91,8 @@ void Traffic::take_piece(ChannelTraffic& channel, const BusMessage& message, con
 void Traffic::take_object(ChannelTraffic& channel, const Object& object, const Sighting& last_piece) {
   const BusMessage whole{last_piece.channel, object.bytes};
   const Channel* const known = find_channel(whole.channel);
-  const Layout* const layout = known != nullptr ? layout_on(*known, whole.bytes) : find_layout(fingerprint(whole.bytes));
+  const Layout* const layout =
+      known != nullptr ? layout_on(*known, whole.bytes) : find_layout(fingerprint(whole.bytes));
   if (layout == nullptr) {
     channel.type = hex(static_cast<std::uint64_t>(fingerprint(whole.bytes)));
     return;
