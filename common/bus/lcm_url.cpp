@@ -37,7 +37,7 @@ std::uint16_t port_of(const std::string& url, std::string_view text) {
   std::uint16_t port = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), port);
   if (error != std::errc() || end != text.data() + text.size() || port == 0) {
-    refuse(url, quoted(text) + " is no port; give one from 1 to 65535, as in " + kDefaultUrl);
+    refuse(url, in_quotes(text) + " is no port; give one from 1 to 65535, as in " + kDefaultUrl);
   }
   return port;
 }
@@ -54,7 +54,7 @@ Url parse(const std::string& url) {
   if (parsed.provider == "udpm" || parsed.provider == "mpudpm" || parsed.provider == "tcpq") {
     if (port != std::string::npos) parsed.port = port_of(url, std::string_view(place).substr(port + 1));
   } else if (parsed.provider != "memq") {
-    refuse(url, "LCM has no provider " + quoted(parsed.provider) + " that is a bus; take udpm, tcpq or memq");
+    refuse(url, "LCM has no provider " + in_quotes(parsed.provider) + " that is a bus; take udpm, tcpq or memq");
   }
   return parsed;
 }
@@ -65,7 +65,7 @@ void check_multicast(const std::string& url, const Url& parsed) {
   group.sin_port = htons(parsed.port);
   const std::string host = parsed.host.empty() ? kDefaultHost : parsed.host;
   if (inet_pton(AF_INET, host.c_str(), &group.sin_addr) != 1 || !IN_MULTICAST(ntohl(group.sin_addr.s_addr))) {
-    refuse(url, quoted(host) + " is no multicast address; take one from 224.0.0.0 to 239.255.255.255");
+    refuse(url, in_quotes(host) + " is no multicast address; take one from 224.0.0.0 to 239.255.255.255");
   }
   const FileDescriptor probe(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
   if (!probe.is_open()) refuse(url, "no UDP socket: " + reason_of(errno));
@@ -82,7 +82,7 @@ void check_server(const std::string& url, const Url& parsed) {
   hints.ai_socktype = SOCK_STREAM;
   addrinfo* found = nullptr;
   const int error = ::getaddrinfo(parsed.host.c_str(), std::to_string(parsed.port).c_str(), &hints, &found);
-  if (error != 0) refuse(url, "host " + quoted(parsed.host) + " is not known: " + gai_strerror(error));
+  if (error != 0) refuse(url, "host " + in_quotes(parsed.host) + " is not known: " + gai_strerror(error));
   const std::unique_ptr<addrinfo, decltype(&::freeaddrinfo)> addresses(found, ::freeaddrinfo);
   const FileDescriptor probe(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
   if (probe.is_open() && ::connect(probe.get(), found->ai_addr, found->ai_addrlen) == 0) return;

@@ -16,6 +16,9 @@ PointCloud read_vtk(std::string_view bytes, const std::string& file);
 PointCloud read_xyz(std::string_view bytes, const std::string& file);
 PointCloud read_3dtk(std::string_view bytes, const std::string& file, CloudNotes& notes);
 
+/// What to do about a damaged header: the end of a problem.
+inline constexpr const char* kExportAgain = "; export the cloud again";
+
 /// Throws the InputError "file: problem".
 [[noreturn]] void refuse(const std::string& file, const std::string& problem);
 /// Throws the InputError "file:line: problem".

@@ -11,8 +11,6 @@
 namespace scanway::cloud_formats {
 namespace {
 
-constexpr const char* kAdvice = "; export the cloud again";
-
 /// The entries of the header by key: what follows each, and the line it stands in.
 struct Entry {
   std::string_view values;
@@ -36,19 +34,19 @@ Entries take_entries(TextLines& lines, const std::string& file) {
     std::string_view values = *line;
     std::string_view key = take_token(values);
     if (key.empty() || key.starts_with('#')) continue;
-    if (!is_key(key)) refuse_line(file, lines.number(), quoted(key) + " is no entry of a PCD header" + kAdvice);
+    if (!is_key(key)) refuse_line(file, lines.number(), in_quotes(key) + " is no entry of a PCD header" + kExportAgain);
     if (key == "COLUMNS") key = "FIELDS";  // Its name before version 0.7.
     if (!entries.emplace(key, Entry{values, lines.number()}).second) {
-      refuse_line(file, lines.number(), "the header has " + std::string(key) + " twice" + kAdvice);
+      refuse_line(file, lines.number(), "the header has " + std::string(key) + " twice" + kExportAgain);
     }
     if (key == "DATA") return entries;
   }
-  refuse(file, std::string("its PCD header ends without a DATA line; the file is cut") + kAdvice);
+  refuse(file, std::string("its PCD header ends without a DATA line; the file is cut") + kExportAgain);
 }
 
 const Entry& required(const Entries& entries, std::string_view key, const std::string& file) {
   const auto found = entries.find(key);
-  if (found == entries.end()) refuse(file, "its PCD header has no " + std::string(key) + kAdvice);
+  if (found == entries.end()) refuse(file, "its PCD header has no " + std::string(key) + kExportAgain);
   return found->second;
 }
 
@@ -75,7 +73,7 @@ std::vector<PcdField> fields_of(const Entries& entries, const std::string& file)
   for (const Entry* entry : {&sizes, &types, &counts}) {
     if (entry->line == 0 || count_tokens(entry->values) == number) continue;
     refuse_line(file, entry->line,
-                "this line has not one value for each of the " + std::to_string(number) + " FIELDS" + kAdvice);
+                "this line has not one value for each of the " + std::to_string(number) + " FIELDS" + kExportAgain);
   }
   std::vector<PcdField> fields;
   while (fields.size() < number) {
@@ -85,13 +83,14 @@ std::vector<PcdField> fields_of(const Entries& entries, const std::string& file)
     const auto type = scalar_type(letter, size);
     if (!type) {
       refuse_line(file, types.line,
-                  "field " + quoted(field.name) + " has the unknown TYPE " + quoted(letter) + " of SIZE " +
-                      quoted(size) + kAdvice);
+                  "field " + in_quotes(field.name) + " has the unknown TYPE " + in_quotes(letter) + " of SIZE " +
+                      in_quotes(size) + kExportAgain);
     }
     field.type = *type;
     const auto count = counts.line == 0 ? std::optional<std::uint64_t>(1) : parse_count(take_token(counts.values));
     if (!count || *count > UINT32_MAX) {
-      refuse_line(file, counts.line, "field " + quoted(field.name) + " has no COUNT that makes sense" + kAdvice);
+      refuse_line(file, counts.line,
+                  "field " + in_quotes(field.name) + " has no COUNT that makes sense" + kExportAgain);
     }
     field.count = *count;
     fields.push_back(std::move(field));
@@ -103,7 +102,7 @@ std::uint64_t count_of(const Entries& entries, std::string_view key, const std::
   Entry entry = required(entries, key, file);
   const std::string_view token = take_token(entry.values);
   const auto count = parse_count(token);
-  if (!count) refuse_line(file, entry.line, quoted(token) + " is no number of points" + kAdvice);
+  if (!count) refuse_line(file, entry.line, in_quotes(token) + " is no number of points" + kExportAgain);
   return *count;
 }
 
@@ -117,7 +116,7 @@ std::uint64_t points_of(const Entries& entries, const std::string& file) {
   const std::uint64_t points = entries.contains("POINTS") ? count_of(entries, "POINTS", file) : product;
   if (overflow || product != points) {
     refuse(file, "its PCD header says WIDTH " + std::to_string(width) + ", HEIGHT " + std::to_string(height) +
-                     " and POINTS " + std::to_string(points) + ", which do not fit together" + kAdvice);
+                     " and POINTS " + std::to_string(points) + ", which do not fit together" + kExportAgain);
   }
   return points;
 }
@@ -129,7 +128,7 @@ PcdData data_of(const Entries& entries, const std::string& file) {
   if (token == "binary") return PcdData::binary;
   if (token == "binary_compressed") return PcdData::binary_compressed;
   refuse_line(file, entry.line,
-              "DATA " + quoted(token) + " is not known; write it as ascii, binary or binary_compressed");
+              "DATA " + in_quotes(token) + " is not known; write it as ascii, binary or binary_compressed");
 }
 
 }  // namespace

@@ -9,8 +9,6 @@
 namespace scanway::cloud_formats {
 namespace {
 
-constexpr const char* kAdvice = "; export the cloud again";
-
 /// The types by their names of 1994 and the later ones with sizes.
 ScalarType scalar_type(std::string_view name, const std::string& file, std::size_t line) {
   constexpr struct {
@@ -25,7 +23,7 @@ ScalarType scalar_type(std::string_view name, const std::string& file, std::size
   for (const auto& known : kTypes) {
     if (name == known.name) return known.type;
   }
-  refuse_line(file, line, quoted(name) + " is no type of a PLY property" + kAdvice);
+  refuse_line(file, line, in_quotes(name) + " is no type of a PLY property" + kExportAgain);
 }
 
 PlyFormat format_of(std::string_view values, const std::string& file, std::size_t line) {
@@ -33,13 +31,13 @@ PlyFormat format_of(std::string_view values, const std::string& file, std::size_
   if (name == "ascii") return PlyFormat::ascii;
   if (name == "binary_little_endian") return PlyFormat::binary_little_endian;
   if (name == "binary_big_endian") return PlyFormat::binary_big_endian;
-  refuse_line(file, line, quoted(name) + " is no format of a PLY file" + kAdvice);
+  refuse_line(file, line, in_quotes(name) + " is no format of a PLY file" + kExportAgain);
 }
 
 PlyElement element_of(std::string_view values, const std::string& file, std::size_t line) {
   const std::string_view name = take_token(values);
   const auto count = parse_count(take_token(values));
-  if (!count) refuse_line(file, line, "element " + quoted(name) + " has no count" + kAdvice);
+  if (!count) refuse_line(file, line, "element " + in_quotes(name) + " has no count" + kExportAgain);
   return {std::string(name), *count, {}};
 }
 
@@ -49,13 +47,13 @@ PlyProperty property_of(std::string_view values, const std::string& file, std::s
   if (type == "list") {
     property.list_count_type = scalar_type(take_token(values), file, line);
     if (*property.list_count_type >= ScalarType::f32) {
-      refuse_line(file, line, std::string("the length of a list cannot be a fraction") + kAdvice);
+      refuse_line(file, line, std::string("the length of a list cannot be a fraction") + kExportAgain);
     }
     type = take_token(values);
   }
   property.type = scalar_type(type, file, line);
   property.name = std::string(take_token(values));
-  if (property.name.empty()) refuse_line(file, line, std::string("this property has no name") + kAdvice);
+  if (property.name.empty()) refuse_line(file, line, std::string("this property has no name") + kExportAgain);
   return property;
 }
 
@@ -75,13 +73,13 @@ PlyHeader take_ply_header(std::string_view& bytes, const std::string& file) {
   PlyHeader header;
   bool has_format = false;
   TextLines lines(bytes);
-  if (lines.next() != "ply") refuse(file, std::string("does not begin with a line \"ply\"") + kAdvice);
+  if (lines.next() != "ply") refuse(file, std::string("does not begin with a line \"ply\"") + kExportAgain);
   while (const auto line = lines.next()) {
     std::string_view values = *line;
     const std::string_view key = take_token(values);
     if (key == "comment" || key == "obj_info" || key.empty()) continue;
     if (key == "end_header") {
-      if (!has_format) refuse(file, std::string("its PLY header names no format") + kAdvice);
+      if (!has_format) refuse(file, std::string("its PLY header names no format") + kExportAgain);
       header.lines = lines.number();
       bytes = lines.rest();
       return header;
@@ -94,10 +92,10 @@ PlyHeader take_ply_header(std::string_view& bytes, const std::string& file) {
     } else if (key == "property" && !header.elements.empty()) {
       header.elements.back().properties.push_back(property_of(values, file, lines.number()));
     } else {
-      refuse_line(file, lines.number(), quoted(key) + " does not belong here in a PLY header" + kAdvice);
+      refuse_line(file, lines.number(), in_quotes(key) + " does not belong here in a PLY header" + kExportAgain);
     }
   }
-  refuse(file, std::string("its PLY header has no end_header; the file is cut") + kAdvice);
+  refuse(file, std::string("its PLY header has no end_header; the file is cut") + kExportAgain);
 }
 
 }  // namespace scanway::cloud_formats

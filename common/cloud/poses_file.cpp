@@ -35,7 +35,7 @@ Pose parse_pose(std::string_view values, const std::string& path, std::size_t li
     const std::string_view token = take_token(values);
     const auto value = parse_number(token);
     if (!value || !std::isfinite(*value))
-      refuse_line(path, line, quoted(token) + " is not a finite number; correct it");
+      refuse_line(path, line, in_quotes(token) + " is not a finite number; correct it");
     X_ref_scan.matrix()(i / 4, i % 4) = *value;
   }
   if (!is_rotation(X_ref_scan.linear())) {
@@ -58,7 +58,7 @@ PosesFile PosesFile::parse(std::string_view text, const std::string& path) {
     if (name.empty()) continue;
     const Pose X_ref_scan = parse_pose(values, path, lines.number());
     if (!file.poses_.emplace(scan_name(std::string(name)), X_ref_scan).second) {
-      refuse_line(path, lines.number(), "the scan " + quoted(name) + " is there twice; remove one of its lines");
+      refuse_line(path, lines.number(), "the scan " + in_quotes(name) + " is there twice; remove one of its lines");
     }
   }
   return file;
@@ -67,7 +67,7 @@ PosesFile PosesFile::parse(std::string_view text, const std::string& path) {
 const Pose& PosesFile::pose_of(const std::string& scan) const {
   const auto found = poses_.find(scan_name(scan));
   if (found != poses_.end()) return found->second;
-  cloud_formats::refuse(path_, "has no line for the scan " + quoted(scan) + "; add one, or leave that scan out");
+  cloud_formats::refuse(path_, "has no line for the scan " + in_quotes(scan) + "; add one, or leave that scan out");
 }
 
 }  // namespace scanway

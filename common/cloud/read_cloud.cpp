@@ -114,7 +114,7 @@ void refuse_line(const std::string& file, std::size_t line, const std::string& p
 
 float parse_coordinate(std::string_view token, const std::string& file, std::size_t line) {
   const std::optional<double> value = parse_number(token);
-  if (!value) refuse_line(file, line, quoted(token) + " is not a number; export the cloud again");
+  if (!value) refuse_line(file, line, in_quotes(token) + " is not a number; export the cloud again");
   return static_cast<float>(*value);
 }
 

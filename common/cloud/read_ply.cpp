@@ -64,8 +64,9 @@ class BinaryElements {
   void check_count(const PlyElement& element) const {
     const std::size_t least = element.least_bytes();
     if (least == 0 || element.count <= rest_.size() / least) return;
-    refuse(file_, "promises " + std::to_string(element.count) + " of element " + quoted(element.name) + ", but only " +
-                      std::to_string(rest_.size()) + " bytes follow; it is cut or damaged, copy it again");
+    refuse(file_, "promises " + std::to_string(element.count) + " of element " + in_quotes(element.name) +
+                      ", but only " + std::to_string(rest_.size()) +
+                      " bytes follow; it is cut or damaged, copy it again");
   }
 
   PointCloud read_columns(const PlyElement& element, const CloudFields& chosen) {
@@ -118,7 +119,7 @@ class BinaryElements {
   }
 
   [[noreturn]] void refuse_cut(const PlyElement& element) const {
-    refuse(file_, "ends within element " + quoted(element.name) + "; it is cut or damaged, copy it again");
+    refuse(file_, "ends within element " + in_quotes(element.name) + "; it is cut or damaged, copy it again");
   }
 
   std::string_view rest_;
@@ -161,8 +162,8 @@ class AsciiElements {
     auto line = lines_.next();
     while (line && is_blank(*line)) line = lines_.next();
     if (line) return *line;
-    refuse(file_, "promises " + std::to_string(element.count) + " of element " + quoted(element.name) + " and holds " +
-                      std::to_string(before) + "; it is cut, copy it again");
+    refuse(file_, "promises " + std::to_string(element.count) + " of element " + in_quotes(element.name) +
+                      " and holds " + std::to_string(before) + "; it is cut, copy it again");
   }
 
   /// The property's token; of a list, the token of its length.
@@ -171,7 +172,7 @@ class AsciiElements {
     if (token.empty()) refuse_line(file_, number(), "fewer numbers than properties; the file is cut or damaged");
     if (!property.list_count_type) return token;
     const auto length = parse_count(token);
-    if (!length) refuse_line(file_, number(), quoted(token) + " is no length of a list; export the cloud again");
+    if (!length) refuse_line(file_, number(), in_quotes(token) + " is no length of a list; export the cloud again");
     for (std::uint64_t i = 0; i < *length; ++i) {
       if (take_token(line).empty()) refuse_line(file_, number(), "this list is cut; export the cloud again");
     }

@@ -111,7 +111,7 @@ class VtkParser {
       } else if (key == "METADATA") {
         skip_metadata();
       } else if (!key.empty() && key != "DATASET" && key != "DIMENSIONS") {
-        refuse_line(file_, number(), quoted(key) + " in place of POINTS; export the cloud as POLYDATA");
+        refuse_line(file_, number(), in_quotes(key) + " in place of POINTS; export the cloud as POLYDATA");
       }
     }
     refuse(file_, "has no POINTS; it is cut, or is no cloud: export it as POLYDATA");
@@ -124,7 +124,7 @@ class VtkParser {
     lines_.next();
     const auto form = lines_.next();
     if (form != "ASCII" && form != "BINARY") {
-      refuse_line(file_, 3, quoted(form.value_or("")) + " in place of ASCII or BINARY; export the cloud again");
+      refuse_line(file_, 3, in_quotes(form.value_or("")) + " in place of ASCII or BINARY; export the cloud again");
     }
     binary_ = form == "BINARY";
   }
@@ -132,10 +132,11 @@ class VtkParser {
   PointCloud parse_points(std::string_view values) {
     const std::string_view count_token = take_token(values);
     const auto count = parse_count(count_token);
-    if (!count) refuse_line(file_, number(), quoted(count_token) + " is no number of points; export the cloud again");
+    if (!count)
+      refuse_line(file_, number(), in_quotes(count_token) + " is no number of points; export the cloud again");
     const std::string_view type_token = take_token(values);
     const auto type = scalar_type(type_token);
-    if (!type) refuse_line(file_, number(), quoted(type_token) + " is no type of VTK points; export them as float");
+    if (!type) refuse_line(file_, number(), in_quotes(type_token) + " is no type of VTK points; export them as float");
     return VtkData(lines_.rest(), lines_.number(), binary_, file_).points(*count, *type);
   }
 

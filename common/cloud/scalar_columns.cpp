@@ -94,7 +94,7 @@ CloudFields choose_fields(const std::vector<std::string>& names, const std::stri
                                 : std::count(names.begin(), names.end(), name) > 1 ? "has the field " + name + " twice"
                                                                                    : "";
     if (!problem.empty()) {
-      throw InputError(printable(file) + ": " + problem + " (its fields: " + quoted(joined(names)) +
+      throw InputError(printable(file) + ": " + problem + " (its fields: " + in_quotes(joined(names)) +
                        "); export the cloud with one each of x, y and z");
     }
     fields.xyz[axis] = static_cast<std::size_t>(found - names.begin());

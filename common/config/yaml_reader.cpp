@@ -16,7 +16,7 @@ namespace {
 constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 
 std::string shown(const YAML::Node& node) {
-  if (node.IsScalar()) return scanway::quoted(node.Scalar());
+  if (node.IsScalar()) return in_quotes(node.Scalar());
   if (node.IsNull()) return "empty";
   return node.IsSequence() ? "a list" : "a section";
 }

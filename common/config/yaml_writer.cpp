@@ -11,7 +11,7 @@ std::string list_text(std::span<const double> values, std::string_view key) {
   return "[" + list + "]";
 }
 
-std::string in_quotes(std::string_view text) {
+std::string yaml_string(std::string_view text) {
   std::string result = "\"";
   for (const char c : text) result += (c == '"' || c == '\\') ? std::string{'\\', c} : std::string{c};
   return result + '"';
@@ -36,7 +36,7 @@ void YamlWriter::whole_number(std::string_view key, int& value, Range) { line(ke
 
 void YamlWriter::boolean(std::string_view key, bool& value) { line(key, value ? "true" : "false"); }
 
-void YamlWriter::text(std::string_view key, std::string& value) { line(key, in_quotes(value)); }
+void YamlWriter::text(std::string_view key, std::string& value) { line(key, yaml_string(value)); }
 
 void YamlWriter::numbers(std::string_view key, std::span<double> values, Range) { line(key, list_text(values, key)); }
 

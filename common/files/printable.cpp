@@ -74,7 +74,7 @@ std::string printable(std::string_view text) {
   return out;
 }
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   std::string out = "'";
   out += printable(text.substr(0, kQuotedBytes));
   out += text.size() > kQuotedBytes ? "...'" : "'";

@@ -10,8 +10,7 @@ namespace scanway {
 /// Escaping twice changes nothing more.
 std::string printable(std::string_view text);
 
-/// A piece of input for an error message: printable, in single quotes, cut after 40 bytes. (Call it
-/// scanway::quoted() where <iomanip> may be included: std::quoted() is found by its argument.)
-std::string quoted(std::string_view text);
+/// A piece of input for an error message: printable, in single quotes, cut after 40 bytes.
+std::string in_quotes(std::string_view text);
 
 }  // namespace scanway

@@ -63,7 +63,7 @@ bool truth_of(const YAML::Node& node, const std::string& path) {
   const std::string text = node.IsScalar() ? node.Scalar() : "";
   if (text == "1" || text == "true") return true;
   if (text == "0" || text == "false") return false;
-  fail(path, "negate (line " + std::to_string(line_of(node)) + ") must be 0 or 1, not " + scanway::quoted(text));
+  fail(path, "negate (line " + std::to_string(line_of(node)) + ") must be 0 or 1, not " + in_quotes(text));
 }
 
 void check(const MapDescription& description, const std::string& path) {

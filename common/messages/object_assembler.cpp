@@ -14,7 +14,7 @@ namespace {
 
 // What a waiting object and a waiting piece cost beside their data: nodes of maps, and headers of allocations.
 constexpr std::size_t kObjectOverhead = 512;
-constexpr std::size_t kPieceOverhead = 128;
+constexpr std::size_t kBookkeeping = 128;
 
 enum HeaderField { kKey, kVersion, kDigest, kUtime, kTotalBytes, kCoding, kNpieces };
 
@@ -72,7 +72,7 @@ ObjectAssembler::Waiting::iterator ObjectAssembler::keep(const piece_t& piece) {
   Parts& parts = waiting->second;
   std::size_t added = founded ? kObjectOverhead + piece.key.size() : 0;
   if (parts.pieces.try_emplace(piece.piece, piece.data).second) {
-    added += kPieceOverhead + piece.data.size();
+    added += kBookkeeping + piece.data.size();
     ++counters_.kept_pieces;
   } else {
     ++counters_.repeated_pieces;

@@ -7,7 +7,6 @@ namespace scanway {
 namespace {
 
 constexpr int kDeviceWaitMs = 10;
-constexpr SteadyTime kSecond = 1'000'000;
 
 }  // namespace
 
@@ -37,7 +36,7 @@ void serve_device(LiveBus& bus, const BridgeWork& work) {
     const SteadyTime now = steady_now();
     if (now < next_second) continue;
     work.every_second();
-    next_second = now + kSecond;
+    next_second = now + kSteadySecond;
   }
 }
 

@@ -20,9 +20,8 @@ namespace {
 constexpr int kBadInput = 2;
 constexpr int kStartAgain = 3;
 constexpr double kBytesPerMbit = 125e3;
-constexpr SteadyTime kSecond = 1'000'000;
 /// When nothing new has come for so long, the bus is taken to be silent.
-constexpr SteadyTime kSilence = 2 * kSecond;
+constexpr SteadyTime kSilence = 2 * kSteadySecond;
 constexpr auto kWait = std::chrono::milliseconds(50);
 constexpr auto kLastWords = std::chrono::milliseconds(1500);
 
@@ -81,8 +80,7 @@ int run_main(const std::string& name, const std::string& purpose, int argc, char
 }
 
 int run_program(const std::string& name, const std::string& purpose, int argc, char** argv,
-                const std::function<int(const ProgramOptions&)>& work,
-                const std::function<void(CLI::App&)>& add_own) {
+                const std::function<int(const ProgramOptions&)>& work, const std::function<void(CLI::App&)>& add_own) {
   ProgramOptions options;
   return run_main(
       name, purpose, argc, argv,
@@ -124,7 +122,7 @@ void serve(LiveBus& bus, const NodeWork& work) {
     }
     if (now >= next_second) {
       work.every_second();
-      next_second = now + kSecond;
+      next_second = now + kSteadySecond;
     }
   }
   bus.drain(kLastWords);

@@ -68,7 +68,7 @@ std::vector<std::string> names_of(const std::vector<std::string>& files) {
     const auto [first, is_new] = file_of.emplace(names.back(), file);
     if (!is_new && first->second != file) {
       throw InputError(printable(file) + ": its scan has the same name as that of " + printable(first->second) + " (" +
-                       quoted(names.back()) + "); rename one of the files");
+                       in_quotes(names.back()) + "); rename one of the files");
     }
     if (names.back().size() > kMaxKeyBytes) {
       throw InputError(printable(file) + ": its name is longer than " + std::to_string(kMaxKeyBytes) +
@@ -162,8 +162,7 @@ class ImportedLog {
 
   void write_sweep(const Sweep& sweep) {
     const std::int64_t before = log_.events();
-    publish_object(bus_, channel::kSweep, encode(sweep), sweep.name, ++sweeps_, sweep.utime,
-                   kBetweenPieces);
+    publish_object(bus_, channel::kSweep, encode(sweep), sweep.name, ++sweeps_, sweep.utime, kBetweenPieces);
     const Utime pieces_end = sweep.utime + (log_.events() - before) * kBetweenPieces;
     next_scan_ = std::max(sweep.utime + kBetweenScans, pieces_end + 2 * kImuBeforeSweep);
   }

@@ -34,7 +34,7 @@ class Reader {
     const std::string_view token = take_token(line);
     const auto count = parse_count(token);
     if (!count || *count >= end)
-      refuse(fmt::format("{} is {}; must be a whole number below {}", what, quoted(token), end));
+      refuse(fmt::format("{} is {}; must be a whole number below {}", what, in_quotes(token), end));
     return static_cast<std::int32_t>(*count);
   }
 
@@ -92,7 +92,7 @@ ScenarioProblem read_problem(Reader& reader, std::string_view line, const CellRe
   const std::string_view token = take_token(line);
   const auto length = parse_number(token);
   if (!length || !(*length >= 0.0) || !std::isfinite(*length)) {
-    reader.refuse(fmt::format("the optimal length is {}; must be a number", quoted(token)));
+    reader.refuse(fmt::format("the optimal length is {}; must be a number", in_quotes(token)));
   }
   problem.optimal_length = *length;
   return problem;
@@ -114,7 +114,8 @@ Scenario read_scenario(const std::string& path) {
       map_name = name;
       read_octile_map(map_beside(path, name), scenario);
     }
-    if (name != map_name) reader.refuse(fmt::format("names another map than the lines before it ({})", quoted(name)));
+    if (name != map_name)
+      reader.refuse(fmt::format("names another map than the lines before it ({})", in_quotes(name)));
     scenario.problems.push_back(read_problem(reader, *line, scenario.bounds));
   }
   if (scenario.problems.empty()) reader.refuse("the file holds no problem");

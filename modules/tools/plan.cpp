@@ -29,14 +29,14 @@ BodyMode mode_of(const std::string& word) {
   if (word == "point") return BodyMode::point;
   if (word == "paper") return BodyMode::paper;
   if (word == "footprint") return BodyMode::footprint;
-  throw InputError(fmt::format("--mode {}: must be point, paper or footprint", scanway::quoted(word)));
+  throw InputError(fmt::format("--mode {}: must be point, paper or footprint", in_quotes(word)));
 }
 
 UnknownPolicy policy_of(const std::string& word) {
   if (word == "never") return UnknownPolicy::never;
   if (word == "price") return UnknownPolicy::price;
   if (word == "free") return UnknownPolicy::free;
-  throw InputError(fmt::format("--unknown {}: must be never, price or free", scanway::quoted(word)));
+  throw InputError(fmt::format("--unknown {}: must be never, price or free", in_quotes(word)));
 }
 
 Robot robot_of(const PlanOptions& options) {

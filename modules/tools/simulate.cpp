@@ -45,7 +45,7 @@ Place place_of(const std::string& text) {
     const auto [next, error] = std::from_chars(at, end, values[i]);
     const bool separated = i == 2 ? next == end : next != end && *next == ',';
     if (error != std::errc{} || !separated || !(std::fabs(values[i]) < 1e6)) {
-      throw InputError("--pose " + scanway::quoted(text) +
+      throw InputError("--pose " + in_quotes(text) +
                        ": not x,y,yaw; give metres, metres and radians, as in 2.5,-1,0.3");
     }
     at = next + 1;
@@ -61,10 +61,9 @@ Stand stand_or_refuse(const World& world, const Robot& robot, const std::string&
     if (!stand_at(world, robot, place).problem.empty()) continue;
     throw InputError(
         fmt::format("--pose {}: the robot would stand {}; a free place in this world is {:.2f},{:.2f},{:.2f}",
-                    scanway::quoted(pose), stand.problem, place.x, place.y, place.heading));
+                    in_quotes(pose), stand.problem, place.x, place.y, place.heading));
   }
-  throw InputError("--pose " + scanway::quoted(pose) + ": the robot would stand " + stand.problem +
-                   "; choose another place");
+  throw InputError("--pose " + in_quotes(pose) + ": the robot would stand " + stand.problem + "; choose another place");
 }
 
 /// A line of a poses file (common/cloud/poses_file.h).

@@ -13,7 +13,7 @@ World world_of(const std::string& name, std::uint64_t seed) {
     if (kind.name == name) return make_world(name, seed);
     known += (known.empty() ? "" : ", ") + std::string(kind.name);
   }
-  throw InputError("--world " + scanway::quoted(name) + ": there is no such world; the worlds are " + known);
+  throw InputError("--world " + in_quotes(name) + ": there is no such world; the worlds are " + known);
 }
 
 }  // namespace scanway::tools

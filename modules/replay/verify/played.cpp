@@ -16,8 +16,6 @@
 namespace scanway {
 namespace {
 
-std::string hex_of(std::int64_t digest) { return hex(static_cast<std::uint64_t>(digest)); }
-
 /// What the sweep used of IMU; 0: nothing.
 std::int64_t imu_used(const sweep_inputs_t& sweep) {
   for (const input_span_t& input : sweep.inputs) {
@@ -34,7 +32,7 @@ std::string missed_orientation(const RecordedLog& played, const sweep_inputs_t& 
   const auto& [utime, message] = *std::prev(after);
   const auto name = static_cast<std::int64_t>(digest(message));
   if (sweep.utime - utime > kMaxOrientationAge || imu_used(sweep) == name) return {};
-  return fmt::format("IMU at {} digest {}: sweep {} did not use it", utime, hex_of(name), printable(sweep.sweep_name));
+  return fmt::format("IMU at {} digest {}: sweep {} did not use it", utime, hex(name), printable(sweep.sweep_name));
 }
 
 /// A recorded sweep that is made anew of the log's lines, and not played.
@@ -79,7 +77,7 @@ std::vector<std::string> not_used(const RecordedLog& played, const RecordedLog& 
     const auto used = std::ranges::find_if(session.sweep_inputs(), same);
     if (used == session.sweep_inputs().end()) {
       lines.push_back(fmt::format("SWEEP {} at {} digest {}: the mapper did not use it", printable(name.key),
-                                  object.utime(), hex_of(name.digest)));
+                                  object.utime(), hex(name.digest)));
     } else if (const std::string missed = missed_orientation(played, *used); !missed.empty()) {
       lines.push_back(missed);
     }

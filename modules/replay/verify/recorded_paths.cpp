@@ -93,7 +93,7 @@ std::string RecordedPaths::difference(const Recorded& recorded, const Robot& rob
                                       const ClosedVersion& version) const {
   const path_t& path = recorded.path;
   const auto mode = mode_of(path.mode);
-  if (!mode || recorded.name.key != path.mode) return "no planner plans in mode " + quoted(path.mode);
+  if (!mode || recorded.name.key != path.mode) return "no planner plans in mode " + in_quotes(path.mode);
   PlanBasis basis;
   basis.version = version;
   basis.start.emplace();

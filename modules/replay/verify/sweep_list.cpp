@@ -18,8 +18,6 @@
 namespace scanway {
 namespace {
 
-std::string hex_of(std::int64_t digest) { return hex(static_cast<std::uint64_t>(digest)); }
-
 /// What the log holds of one input channel of a sweep.
 struct FoundInput {
   std::vector<RecordedLog::Bytes> messages;
@@ -59,19 +57,17 @@ FoundInput find_input(const RecordedLog& log, const input_span_t& input) {
   }
   if (input.used_count > 1 && static_cast<std::int64_t>(digest(together)) == input.used_digest) return {messages, {}};
   if (input.used_count == 1) {
-    return {{},
-            fmt::format("{} at {} digest {}", printable(input.channel), input.first_utime, hex_of(input.used_digest))};
+    return {{}, fmt::format("{} at {} digest {}", printable(input.channel), input.first_utime, hex(input.used_digest))};
   }
-  return {
-      {},
-      fmt::format("{} from {} to {} digest {}: {} messages, the log holds {}", printable(input.channel),
-                  input.first_utime, input.last_utime, hex_of(input.used_digest), input.used_count, messages.size())};
+  return {{},
+          fmt::format("{} from {} to {} digest {}: {} messages, the log holds {}", printable(input.channel),
+                      input.first_utime, input.last_utime, hex(input.used_digest), input.used_count, messages.size())};
 }
 
 /// The object on SWEEP with that digest, whatever its key: whole, or the name of what is missing.
 const RecordedObject* find_sweep(const RecordedLog& log, const sweep_inputs_t& listed, std::string& missing) {
   missing =
-      fmt::format("SWEEP {} at {} digest {}", printable(listed.sweep_name), listed.utime, hex_of(listed.sweep_digest));
+      fmt::format("SWEEP {} at {} digest {}", printable(listed.sweep_name), listed.utime, hex(listed.sweep_digest));
   for (const auto& [name, object] : log.objects_of(channel::kSweep)) {
     if (name.digest != listed.sweep_digest) continue;
     if (object.whole() && object.fault().empty()) {

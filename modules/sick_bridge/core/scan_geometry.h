@@ -11,6 +11,9 @@ namespace scanway::sick {
 /// Counts below this are no ranges: 0 no echo, 1 dazzled, the rest reserved.
 constexpr std::uint16_t kFirstRangeCount = 16;
 
+/// Where the device looks ahead, as it counts angles.
+constexpr double kAheadDeg = 90.0;
+
 /// The range of one beam in metres, scale and offset applied; nothing when there was no return.
 std::optional<double> range_m(const ScanChannel& channel, std::size_t beam);
 

@@ -10,7 +10,6 @@ namespace scanway::sick {
 namespace {
 
 constexpr int kMaxEchoes = 5;
-constexpr double kAheadDeg = 90.0;  // As the device counts angles.
 constexpr float kMetresPerMillimetre = 0.001F;
 
 /// The remission of the same beams, or nullptr.

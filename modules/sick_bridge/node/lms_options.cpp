@@ -11,7 +11,7 @@
 namespace scanway::sick {
 namespace {
 
-constexpr double kFirstDeg = -5.0, kLastDeg = 185.0, kAheadDeg = 90.0;
+constexpr double kFirstDeg = -5.0, kLastDeg = 185.0;
 constexpr double kUnitsPerDegree = 10000.0;
 
 double degrees(double radians) { return radians * 180.0 / M_PI; }

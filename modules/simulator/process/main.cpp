@@ -76,8 +76,7 @@ World world_of(const Options& options) {
   try {
     return make_world(options.world, options.seed);
   } catch (const std::invalid_argument&) {
-    throw InputError("--world " + scanway::quoted(options.world) +
-                     ": there is no such world; see scanway simulate worlds");
+    throw InputError("--world " + in_quotes(options.world) + ": there is no such world; see scanway simulate worlds");
   }
 }
 
@@ -90,7 +89,7 @@ Place place_of(const std::string& text, const World& world) {
     const auto [next, error] = std::from_chars(at, end, value);
     const bool last = &value == &values[2];
     if (error != std::errc{} || (last ? next != end : next == end || *next != ',') || !(std::fabs(value) < 1e6)) {
-      throw InputError("--pose " + scanway::quoted(text) +
+      throw InputError("--pose " + in_quotes(text) +
                        ": not x,y,yaw; give metres, metres and radians, as in 2.5,-1,0.3");
     }
     at = next + (last ? 0 : 1);

@@ -39,8 +39,8 @@ TEST(Printable, GivesTheSameWhenAppliedTwice) {
 }
 
 TEST(Quoted, CutsWhatIsLong) {
-  EXPECT_EQ(scanway::quoted("abc"), "'abc'");
-  EXPECT_EQ(scanway::quoted(std::string(1000, 'a')), "'" + std::string(40, 'a') + "...'");
+  EXPECT_EQ(in_quotes("abc"), "'abc'");
+  EXPECT_EQ(in_quotes(std::string(1000, 'a')), "'" + std::string(40, 'a') + "...'");
 }
 
 }  // namespace

@@ -1,9 +1,13 @@
 #pragma once
 
+#include "common/math/repeatable.h"
 #include "modules/simulator/core/world/world.h"
 
 /// Each builds one kind of world; make_world() has given it its name and seed.
 namespace scanway::simulator {
+
+constexpr double kTurn = 2.0 * repeatable::kPi;
+constexpr double kQuarter = repeatable::kPi / 2;
 
 void build_flat(World& world);
 void build_slope(World& world);

@@ -12,9 +12,6 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kTurn = 2.0 * repeatable::kPi;
-constexpr double kQuarter = repeatable::kPi / 2;
-
 /// Turns a thing a little, as people park and put things.
 double about(Random& random, double heading, double spread = 0.08) {
   return heading + between(random, -spread, spread);

@@ -10,9 +10,6 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-constexpr double kTurn = 2.0 * repeatable::kPi;
-constexpr double kQuarter = repeatable::kPi / 2;
-
 /// Four walls and a roof around the floor `plan`.
 void add_shell(Mesh& mesh, const Rectangle& plan, double height, Material wall) {
   const auto& [low, high] = plan;

@@ -9,8 +9,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kTurn = 2.0 * repeatable::kPi;
-constexpr double kQuarter = repeatable::kPi / 2;
 constexpr double kTangent4 = 0.06992681194351041;   // tan of 4 degrees
 constexpr double kTangent10 = 0.17632698070846498;  // tan of 10 degrees
 

@@ -6,7 +6,7 @@ namespace scanway::simulator {
 namespace {
 
 constexpr std::uint8_t kFirst = 0xFA, kSecond = 0xFB;
-constexpr std::uint8_t kStanding = 0x82, kMoving = 0x83, kConfiguration = 0x20;
+constexpr std::uint8_t kStanding = 0x82, kMoving = 0x83, kConfigurationReport = 0x20;
 constexpr std::uint8_t kPositive = 0x3B, kNegative = 0x1B;
 
 /// Over the payload in pairs, the first byte high; a byte that is left over goes into the low byte.
@@ -67,7 +67,7 @@ BaseBytes motor_packet(const MotorCounts& counts) {
 BaseBytes configuration_packet(const std::string& name, const std::string& type, const std::string& subtype) {
   constexpr std::size_t kSize = 62, kLongest = 19;
   BaseBytes payload(kSize, 0);
-  payload[0] = kConfiguration;
+  payload[0] = kConfigurationReport;
   const auto put = [&](const std::string& text, std::ptrdiff_t at) {
     std::copy_n(text.begin(), std::min(text.size(), kLongest), payload.begin() + at);
   };

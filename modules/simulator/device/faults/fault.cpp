@@ -38,7 +38,7 @@ constexpr std::array<FaultForm, 15> kForms = {{
 bool has_sign(FaultKind kind) { return kind == heading_bias || kind == tilt_bias || kind == range_bias; }
 
 [[noreturn]] void refuse(std::string_view text, const std::string& why) {
-  throw InputError("fault " + quoted(std::string(text)) + ": " + why);
+  throw InputError("fault " + in_quotes(std::string(text)) + ": " + why);
 }
 
 /// Takes what follows `mark` off the end of `text`; nothing if it is not there.
