@@ -155,7 +155,7 @@ bool DStarLite::is_supported(Node node) {
   return cost && value(node) >= parent + *cost;
 }
 
-DStarLite::Offer DStarLite::best_offer(Node node) {
+[[gnu::target_clones("default", "avx2")]] DStarLite::Offer DStarLite::best_offer(Node node) {
   Offer best;
   const auto consider = [&](std::uint64_t there, std::uint64_t cost, Link link) {
     if (there != kInfinite && there + cost < best.value) best = {there + cost, link};

@@ -55,14 +55,14 @@ class Graph {
 
   /// The steps from a roomy cell inside its block to roomy ones, as bits; nothing when it or a cell beside it is
   /// anything but roomy or blocked, or nobody has asked for it yet.
-  std::optional<unsigned> open_steps(Node node) const {
+  [[gnu::always_inline]] std::optional<unsigned> open_steps(Node node) const {
     if (is_tight(node) || !Frame::is_inner(node)) return std::nullopt;
     const Surroundings around = look_around(&terrain_->word(node), unit_rows_);
     if (!around.simple) return std::nullopt;
     return around.roomy & allowed(around.roomy);
   }
   /// Of these, the ones that cost less than the value there.
-  std::optional<unsigned> gaining_steps(Node node) const {
+  [[gnu::always_inline]] std::optional<unsigned> gaining_steps(Node node) const {
     if (is_tight(node) || !Frame::is_inner(node)) return std::nullopt;
     const Surroundings around = look_around(&terrain_->word(node), unit_rows_);
     if (!around.simple) return std::nullopt;
