@@ -25,7 +25,7 @@ constexpr SteadyTime kSecond = 1'000'000;
 constexpr SteadyTime kBasePatience = 5 * kSecond;
 /// A mapper or planner at work on a large sweep says nothing else meanwhile.
 constexpr SteadyTime kMapPatience = 120 * kSecond;
-constexpr SteadyTime kCommandPeriod = 20'000;  // Commands run out after 150 ms (docs/devices.md).
+constexpr SteadyTime kCommandPeriod = 20'000;     // Commands run out after 150 ms (docs/devices.md).
 constexpr SteadyTime kOdometryAge = kSecond / 4;  // Older, and the robot is told to stand.
 constexpr SteadyTime kSilence = 10 * kSecond;
 constexpr SteadyTime kStuck = 5 * kSecond;

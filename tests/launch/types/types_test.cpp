@@ -76,6 +76,8 @@ TEST(Python, ReadsOurLogs) {
   path.pose_x_m = {1.5, -2.25};
   path.pose_y_m = {0.0, 1e-300};
   path.pose_heading_rad = {3.0, 4.0};
+  path.pose_time_s = {0.0, 2.5};
+  path.pose_speed_m_s = {0.0, -0.5};
   LogWriter log(scratch / "log");
   log.write("IMU", encode(imu), 1);
   log.write("HEALTH", encode(health), 2);

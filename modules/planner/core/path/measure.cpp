@@ -28,7 +28,8 @@ void for_poses_between(const PathPose& a, const PathPose& b, const Ground& groun
 
 double unknown_length(const Ground& ground, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   double share = 0.0;
-  for_cells_on(a, b, [&](Cell cell, double part) { share += part > kTouch && ground.terrain().is_unknown(cell) ? part : 0.0; });
+  for_cells_on(
+      a, b, [&](Cell cell, double part) { share += part > kTouch && ground.terrain().is_unknown(cell) ? part : 0.0; });
   return share * (b - a).norm();
 }
 

@@ -44,6 +44,8 @@ Bytes path(int nposes) {
     message.pose_x_m.push_back(std::sqrt(i));
     message.pose_y_m.push_back(std::sqrt(i + 1));
     message.pose_heading_rad.push_back(0);
+    message.pose_time_s.push_back(i);
+    message.pose_speed_m_s.push_back(0.25);
   }
   return encode(message);
 }
