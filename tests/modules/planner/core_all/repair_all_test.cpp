@@ -17,9 +17,9 @@ TEST_P(RepairAll, CostsWhatAFullSearchCosts) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Modes, RepairAll,
-                         testing::Values(RepairCase{"point", BodyMode::point, UnknownPolicy::never, 40, 10000},
-                                         RepairCase{"point_price", BodyMode::point, UnknownPolicy::price, 40, 5000},
-                                         RepairCase{"paper", BodyMode::paper, UnknownPolicy::free, 40, 5000},
+                         testing::Values(RepairCase{"point", BodyMode::point, UnknownPolicy::never, 40, 60000},
+                                         RepairCase{"point_price", BodyMode::point, UnknownPolicy::price, 40, 20000},
+                                         RepairCase{"paper", BodyMode::paper, UnknownPolicy::free, 40, 14000},
                                          RepairCase{"footprint", BodyMode::footprint, UnknownPolicy::never, 50, 3000},
                                          RepairCase{"footprint_price", BodyMode::footprint, UnknownPolicy::price, 50,
                                                     3000}),
