@@ -1,9 +1,9 @@
 #include "modules/mapper/core/map.h"
 
 #include <cmath>
+#include <utility>
 
 #include "modules/mapper/core/costmap/embodiment.h"
-#include "modules/mapper/core/costmap/evidence.h"
 #include "modules/mapper/core/costmap/paper_projection.h"
 #include "modules/mapper/core/costmap/sweep_view.h"
 #include "modules/mapper/core/ground/ground_surface.h"
@@ -94,13 +94,12 @@ MapChange Map::merge(const Sweep& sweep, const Pose& X_map_sweep, StageListener*
   begin_stage(stages, "octomap");
   tree_.insert(points);
 
-  const CostMap before = cost_map_;
-  MapChange change;
-  change.ground = project(points, sweep, X_map_sweep, stages);
+  const Projection projection = project(points, sweep, X_map_sweep, stages);
 
   begin_stage(stages, "embodiment");
-  embody(cost_map_, robot_, robot_.mapping.embodiment);
-  change.changed_tiles = differing_tiles(before, cost_map_);
+  MapChange change;
+  change.ground = projection.ground;
+  change.changed_tiles = embody(cost_map_, robot_, robot_.mapping.embodiment, projection.changed_tiles);
   change.version = ++version_;
   begin_stage(stages, "");
   return change;
@@ -111,24 +110,31 @@ void Map::succeed(const Map& before, MapChange& change) {
   change.version = version_ = before.version_ + 1;
 }
 
-GroundReport Map::project(const MapPoints& points, const Sweep& sweep, const Pose& X_map_sweep, StageListener* stages) {
+Map::Projection Map::project(const MapPoints& points, const Sweep& sweep, const Pose& X_map_sweep,
+                             StageListener* stages) {
   begin_stage(stages, "ground");
   if (robot_.mapping.paper_projection) return project_by_paper(points, stages);
   return project_by_evidence(points, sweep, X_map_sweep, stages);
 }
 
-GroundReport Map::project_by_paper(const MapPoints& points, StageListener* stages) {
+Map::Projection Map::project_by_paper(const MapPoints& points, StageListener* stages) {
   const PointCloud registered = cloud_.centroids();
-  GroundReport ground = find_ground({registered.points, {}, points.origin}, Sweep{});
+  Projection projection{find_ground({registered.points, {}, points.origin}, Sweep{}), {}};
   begin_stage(stages, "cost_map");
-  if (ground.plane) project_as_paper(cost_map_, registered, *ground.plane, robot_, origins_, kCostMapReach);
-  return ground;
+  if (!projection.ground.plane) return projection;
+  // All is projected anew, so all is embodied anew: every cell of the map may have changed.
+  const CostMap before = std::exchange(cost_map_, CostMap{cost_map_.resolution_m, 0.0, 0.0, {}});
+  project_as_paper(cost_map_, registered, *projection.ground.plane, robot_, origins_, kCostMapReach);
+  embody(cost_map_, robot_, robot_.mapping.embodiment);
+  projection.changed_tiles = differing_tiles(before, cost_map_);
+  return projection;
 }
 
-GroundReport Map::project_by_evidence(const MapPoints& points, const Sweep& sweep, const Pose& X_map_sweep,
-                                      StageListener* stages) {
-  GroundReport ground = find_ground(points, sweep);
-  if (!ground.plane) return ground;
+Map::Projection Map::project_by_evidence(const MapPoints& points, const Sweep& sweep, const Pose& X_map_sweep,
+                                         StageListener* stages) {
+  Projection projection{find_ground(points, sweep), {}};
+  GroundReport& ground = projection.ground;
+  if (!ground.plane) return projection;
   const GroundSurface surface(points, *ground.plane, surface_config(robot_));
   ground.surface_area_m2 = surface.area_m2();
 
@@ -136,9 +142,10 @@ GroundReport Map::project_by_evidence(const MapPoints& points, const Sweep& swee
   const SweepViewConfig config = view_config(robot_);
   const std::vector<ObstacleReturn> obstacles = obstacle_returns(points, surface, config);
   const SweepView view(points, surface, obstacles, config);
-  apply_evidence(cost_map_,
-                 gather_evidence(obstacles, surface, view, robot_.body, X_map_sweep, cost_map_.resolution_m));
-  return ground;
+  projection.changed_tiles =
+      evidence_.put(cost_map_, origins_.size(),
+                    gather_evidence(obstacles, surface, view, robot_.body, X_map_sweep, cost_map_.resolution_m));
+  return projection;
 }
 
 }  // namespace scanway

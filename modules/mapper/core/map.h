@@ -12,6 +12,7 @@
 #include "common/robot/robot.h"
 #include "modules/mapper/core/cloud/map_points.h"
 #include "modules/mapper/core/cloud/voxel_cloud.h"
+#include "modules/mapper/core/costmap/evidence_history.h"
 #include "modules/mapper/core/ground/ground_plane.h"
 #include "modules/mapper/core/octomap/occupancy_tree.h"
 
@@ -58,15 +59,22 @@ class Map {
 
  private:
   GroundReport find_ground(const MapPoints& points, const Sweep& sweep) const;
-  GroundReport project(const MapPoints& points, const Sweep& sweep, const Pose& X_map_sweep, StageListener* stages);
-  GroundReport project_by_paper(const MapPoints& points, StageListener* stages);
-  GroundReport project_by_evidence(const MapPoints& points, const Sweep& sweep, const Pose& X_map_sweep,
-                                   StageListener* stages);
+
+  /// What a sweep made of the cost map's states, and in which tiles.
+  struct Projection {
+    GroundReport ground;
+    std::vector<Cell> changed_tiles;
+  };
+  Projection project(const MapPoints& points, const Sweep& sweep, const Pose& X_map_sweep, StageListener* stages);
+  Projection project_by_paper(const MapPoints& points, StageListener* stages);
+  Projection project_by_evidence(const MapPoints& points, const Sweep& sweep, const Pose& X_map_sweep,
+                                 StageListener* stages);
 
   Robot robot_;
   std::uint64_t seed_;
   VoxelCloud cloud_;
   OccupancyTree tree_;
+  EvidenceHistory evidence_;  ///< By how many sweeps came before; of the default projection.
   CostMap cost_map_;
   std::vector<Eigen::Vector3d> origins_;
   std::uint64_t version_ = 0;

@@ -1,8 +1,5 @@
 #include "modules/mapper/core/costmap/evidence_history.h"
 
-#include <algorithm>
-#include <set>
-
 namespace scanway {
 namespace {
 
@@ -32,13 +29,17 @@ const std::uint8_t* unpack(const std::uint8_t* runs, Plane& plane) {
   return runs;
 }
 
-/// Where the evidence has a view, it wins.
-void overlay(const EvidenceTile& evidence, CostTile& tile) {
+/// Where the evidence has a view, it wins. Whether any state changed.
+bool overlay(const EvidenceTile& evidence, CostTile& tile) {
+  bool changed = false;
   for (std::size_t cell = 0; cell < CostTile::kCells; ++cell) {
     const CellState state = evidence.state(cell);
-    if (state == CellState::unknown) continue;
-    if (!evidence.yields(cell) || tile.state[cell] == CellState::unknown) tile.state[cell] = state;
+    if (state == CellState::unknown || state == tile.state[cell]) continue;
+    if (evidence.yields(cell) && tile.state[cell] != CellState::unknown) continue;
+    tile.state[cell] = state;
+    changed = true;
   }
+  return changed;
 }
 
 bool says_anything(const EvidenceTile& evidence) {
@@ -66,46 +67,48 @@ EvidenceTile PackedEvidence::unpacked() const {
 }
 
 std::vector<Cell> EvidenceHistory::put(CostMap& map, SweepNumber sweep, const SweepEvidence& evidence) {
-  const std::vector<Cell> before = forget(sweep);
-  std::set<Cell> anew(before.begin(), before.end());
-  std::set<Cell> touched = anew;
+  std::set<Cell> anew = forget(sweep), changed;
   for (const auto& [index, tile] : evidence) {
     if (!says_anything(tile)) continue;
     TileHistory& history = tiles_[index];
     const bool newest = history.empty() || history.rbegin()->first < sweep;
     history.emplace(sweep, tile);
-    touched.insert(index);
-    if (newest && !anew.contains(index)) {
-      overlay(tile, map.tiles[index]);
-    } else {
+    if (!newest || anew.contains(index)) {
       anew.insert(index);
+    } else if (overlay(tile, map.tiles[index])) {
+      changed.insert(index);
     }
   }
-  for (const Cell& index : anew) project(map, index);
-  return {touched.begin(), touched.end()};
+  changed.merge(project(map, anew));
+  return {changed.begin(), changed.end()};
 }
 
 std::vector<Cell> EvidenceHistory::withdraw(CostMap& map, SweepNumber sweep) {
-  const std::vector<Cell> touched = forget(sweep);
-  for (const Cell& index : touched) project(map, index);
-  return touched;
+  const std::set<Cell> changed = project(map, forget(sweep));
+  return {changed.begin(), changed.end()};
 }
 
-std::vector<Cell> EvidenceHistory::forget(SweepNumber sweep) {
-  std::vector<Cell> touched;
+std::set<Cell> EvidenceHistory::forget(SweepNumber sweep) {
+  std::set<Cell> touched;
   for (auto tile = tiles_.begin(); tile != tiles_.end();) {
-    if (tile->second.erase(sweep) > 0) touched.push_back(tile->first);
+    if (tile->second.erase(sweep) > 0) touched.insert(tile->first);
     tile = tile->second.empty() ? tiles_.erase(tile) : std::next(tile);
   }
   return touched;
 }
 
-void EvidenceHistory::project(CostMap& map, Cell index) const {
-  CostTile& tile = map.tiles[index];
-  tile.state.fill(CellState::unknown);
-  const auto history = tiles_.find(index);
-  if (history == tiles_.end()) return;
-  for (const auto& [sweep, packed] : history->second) overlay(packed.unpacked(), tile);
+std::set<Cell> EvidenceHistory::project(CostMap& map, const std::set<Cell>& tiles) const {
+  std::set<Cell> changed;
+  for (const Cell& index : tiles) {
+    CostTile& tile = map.tiles[index];
+    const auto before = tile.state;
+    tile.state.fill(CellState::unknown);
+    if (const auto history = tiles_.find(index); history != tiles_.end()) {
+      for (const auto& [sweep, packed] : history->second) overlay(packed.unpacked(), tile);
+    }
+    if (tile.state != before) changed.insert(index);
+  }
+  return changed;
 }
 
 std::size_t EvidenceHistory::bytes() const {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <vector>
 
 #include "common/grid/cost_map.h"
@@ -28,8 +29,8 @@ class PackedEvidence {
 /// a cell, the newest has its say. A thing that stood there in an older sweep alone is so gone from the map, and any
 /// sweep can be withdrawn or moved afterwards: the states are then those of a map that never had it there.
 ///
-/// Each function brings the states of `map` up to date (only they and this class may set them) and returns the tiles
-/// that it touched, in order: what embody() must look at.
+/// Each function brings the states of `map` up to date (nothing else may set them) and returns the tiles of which one
+/// changed, in order: what embody() must look at.
 class EvidenceHistory {
  public:
   /// Adds a sweep, or puts other evidence in the place of what it said before, as when its pose was corrected. It keeps
@@ -43,8 +44,10 @@ class EvidenceHistory {
  private:
   using TileHistory = std::map<SweepNumber, PackedEvidence>;  ///< Oldest first.
 
-  std::vector<Cell> forget(SweepNumber sweep);
-  void project(CostMap& map, Cell index) const;
+  /// The tiles that the sweep spoke of.
+  std::set<Cell> forget(SweepNumber sweep);
+  /// Makes the states of `tiles` anew; those that changed.
+  std::set<Cell> project(CostMap& map, const std::set<Cell>& tiles) const;
 
   std::map<Cell, TileHistory> tiles_;
 };

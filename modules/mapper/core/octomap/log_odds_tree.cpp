@@ -92,6 +92,9 @@ class SweepUpdate {
     return {&block, i, is_new};
   }
 
+  /// The place of a child that may not be there.
+  Node place_of(const Node& node, std::size_t i) { return {&blocks_[node.children()], i, false}; }
+
   /// Prunes, or takes the most occupied child's value.
   void finish(const Node& node) {
     const NodeBlock& block = blocks_[node.children()];
@@ -107,6 +110,34 @@ class SweepUpdate {
     if (!alike || any != 0) return;
     supply_.give_back(node.children());
     node.children() = 0;
+  }
+
+  /// Forgets all that is below a node, and the node.
+  void remove(const Node& node) {
+    if (!node.is_leaf()) {
+      for (std::size_t i = 0; i < 8; ++i) remove({&blocks_[node.children()], i, false});
+      supply_.give_back(node.children());
+    }
+    node.children() = 0;
+    node.log_odds() = NodeBlock::kNoNode;
+  }
+
+  /// finish(), of a node some of whose children may have been removed.
+  void finish_after_removal(const Node& node) {
+    const NodeBlock& block = blocks_[node.children()];
+    const auto exists = [](float log_odds) { return !std::isnan(log_odds); };
+    if (std::any_of(block.log_odds.begin(), block.log_odds.end(), exists)) return finish(node);
+    remove(node);
+  }
+
+  /// A brick's node of which nothing is known yet, from the sweeps that touched it.
+  void replay(Node node, const VoxelHistory::BrickHistory& history) {
+    for (const auto& [sweep, packed] : history) {
+      const VoxelBrick brick = packed.unpacked();
+      if (node.is_new) node.log_odds() = 0.0f;
+      update(node, {brick.free, brick.occupied});
+      node.is_new = false;
+    }
   }
 
  private:
@@ -178,12 +209,8 @@ void descend(SweepUpdate& update, const Node& at, int level, Numbers numbers, st
 void ascend(SweepUpdate& update, const Node& node, int level, Numbers numbers) {
   if (level == kBrickLevel) return;
   for_children(numbers, level,
-               [&](unsigned i, Numbers of_child) { ascend(update, update.child_of(node, i), level - 1, of_child); });
-  update.finish(node);
-}
-
-void prefer_occupied(VoxelBrick& brick) {
-  for (std::size_t w = 0; w < kBrickWords; ++w) brick.free[w] &= ~brick.occupied[w];
+               [&](unsigned i, Numbers of_child) { ascend(update, update.place_of(node, i), level - 1, of_child); });
+  update.finish_after_removal(node);
 }
 
 }  // namespace
@@ -206,10 +233,24 @@ void LogOddsTree::update(VoxelBricks& bricks) {
     SweepUpdate& part = of_thread.local();
     for (std::size_t i = begin; i < end; ++i) {
       VoxelBrick& brick = bricks.at(numbers[i]);
-      prefer_occupied(brick);
+      brick.prefer_occupied();
       part.update(nodes[i], {brick.free, brick.occupied});
     }
   });
+  ascend(update, root, kTreeLevels, numbers);
+}
+
+void LogOddsTree::remake(const std::vector<VoxelBricks::BrickNumber>& numbers, const VoxelHistory& history) {
+  if (numbers.empty()) return;
+  const Node root{&top_, 0, !top_.has(0)};
+  if (root.is_new) root.log_odds() = 0.0f;
+  SweepUpdate update(blocks_);
+  std::vector<Node> nodes;
+  descend(update, root, kTreeLevels, numbers, nodes);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    update.remove(nodes[i]);
+    update.replay({nodes[i].block, nodes[i].child, true}, history.of(numbers[i]));
+  }
   ascend(update, root, kTreeLevels, numbers);
 }
 

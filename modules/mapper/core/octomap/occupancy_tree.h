@@ -3,8 +3,10 @@
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "modules/mapper/core/cloud/map_points.h"
+#include "modules/mapper/core/octomap/packed_voxels.h"
 
 namespace scanway {
 
@@ -14,6 +16,7 @@ struct OccupancyTreeConfig {
   double resolution_m = 0.1;
   double max_range_m = 20.0;  ///< Beams are cut off here; not above 0: they are not cut.
   bool discretize = true;     ///< One ray a voxel that is hit, instead of one a point.
+  bool revisable = false;     ///< Keeps what each sweep says, packed, so that it can be withdrawn.
 };
 
 /// The OctoMap of the accepted sweeps: what liboctomap's OcTree with its default sensor model holds after
@@ -26,8 +29,16 @@ class OccupancyTree {
   OccupancyTree(OccupancyTree&&) noexcept;
   OccupancyTree& operator=(OccupancyTree&&) noexcept;
 
-  /// Points in the map frame; the origin is rounded to float, as OctoMap keeps it.
+  using SweepNumber = VoxelHistory::SweepNumber;
+
+  /// Points in the map frame; the origin is rounded to float, as OctoMap keeps it. Sweeps are numbered from 0.
   void insert(const MapPoints& points);
+
+  /// Of a revisable tree: what it would be without that sweep, or with other points in its place (at a pose that was
+  /// corrected). Only the bricks (16 voxels a side) that the sweep touches are made anew, from the voxels that are kept
+  /// of every sweep. A sweep that was withdrawn can be put back by replace(). Throw std::logic_error otherwise.
+  void withdraw(SweepNumber sweep);
+  void replace(SweepNumber sweep, const MapPoints& points);
 
   std::string ot_bytes() const;  ///< The .ot file: every node's log-odds.
   std::string bt_bytes() const;  ///< The .bt file: each node at its most likely state.
@@ -39,8 +50,13 @@ class OccupancyTree {
   double resolution_m() const { return config_.resolution_m; }
 
  private:
+  VoxelBricks voxels_of(const MapPoints& points) const;
+  std::vector<VoxelBricks::BrickNumber> forget(SweepNumber sweep);
+
   OccupancyTreeConfig config_;
   std::unique_ptr<LogOddsTree> tree_;
+  VoxelHistory history_;  ///< Of a revisable tree.
+  SweepNumber sweeps_ = 0;
 };
 
 }  // namespace scanway

@@ -35,6 +35,11 @@ constexpr std::size_t kBrickWords = (std::size_t{1} << kBrickBits) / 64;
 struct VoxelBrick {
   std::array<std::uint64_t, kBrickWords> free{};
   std::array<std::uint64_t, kBrickWords> occupied{};
+
+  /// A voxel that is occupied is no longer free as well.
+  void prefer_occupied() {
+    for (std::size_t w = 0; w < kBrickWords; ++w) free[w] &= ~occupied[w];
+  }
 };
 
 /// The bricks that a sweep touches. A trie of three tables finds one, for a hash would be most of a ray's cost.

@@ -29,7 +29,7 @@ SweepEvidence random_view(Random& random) {
     const std::size_t x0 = random.below(100), y0 = random.below(100);
     for (std::size_t y = y0; y < y0 + 28; ++y) {
       for (std::size_t x = x0; x < x0 + 28; ++x) {
-        tile.beams[y * kSide + x] = 1;
+        tile.beams[y * kSide + x] = random.below(9) == 0 ? EvidenceTile::kOwnShadow : 1;
         tile.ground[y * kSide + x] = static_cast<std::uint8_t>(1 + x / 10);
         if (random.below(12) == 0) tile.returns[y * kSide + x] = static_cast<std::uint8_t>(1 + random.below(255));
       }
