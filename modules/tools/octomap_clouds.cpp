@@ -2,12 +2,10 @@
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
-#include <tbb/global_control.h>
 
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "common/cloud/poses_file.h"
 #include "common/cloud/read_cloud.h"
@@ -76,8 +74,6 @@ int run_octomap(const OctomapOptions& options) {
   check(options);
   const PosesFile poses = PosesFile::read(options.poses);
   for (const std::string& file : options.clouds) poses.pose_of(scan_name(file));  // Said before the long work.
-  std::optional<tbb::global_control> limit;
-  if (options.threads > 0) limit.emplace(tbb::global_control::max_allowed_parallelism, options.threads);
   StageTimer timer;
   OccupancyTree tree({options.resolution_m, options.max_range_m, options.discretize});
   for (const std::string& file : options.clouds) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -12,7 +11,6 @@ struct OctomapOptions {
   double resolution_m = 0.0;
   double max_range_m = 0.0;  ///< Not above 0: beams are not cut off.
   bool discretize = false;
-  std::size_t threads = 0;  ///< 0: as many as there are.
   bool json = false;
   std::string output;  ///< MAP.ot or MAP.bt.
 };
