@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "common/files/printable.h"
-#include "modules/tools/decode_stream.h"
+#include "modules/tools/output/json_line.h"
 #include "modules/tools/spy/message_json.h"
 
 namespace scanway::tools {

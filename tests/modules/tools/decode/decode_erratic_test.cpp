@@ -1,4 +1,4 @@
-#include "modules/tools/decode_erratic.h"
+#include "modules/tools/decode/decode_erratic.h"
 
 #include <gtest/gtest.h>
 

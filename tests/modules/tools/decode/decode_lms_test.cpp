@@ -1,4 +1,4 @@
-#include "modules/tools/decode_lms.h"
+#include "modules/tools/decode/decode_lms.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "modules/tools/decode_schunk.h"
+#include "modules/tools/decode/decode_schunk.h"
 
 #include <gtest/gtest.h>
 

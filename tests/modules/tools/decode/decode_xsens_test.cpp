@@ -1,4 +1,4 @@
-#include "modules/tools/decode_xsens.h"
+#include "modules/tools/decode/decode_xsens.h"
 
 #include <gtest/gtest.h>
 

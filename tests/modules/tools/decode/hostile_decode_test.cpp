@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "common/random/random.h"
-#include "modules/tools/decode_erratic.h"
-#include "modules/tools/decode_schunk.h"
+#include "modules/tools/decode/decode_erratic.h"
+#include "modules/tools/decode/decode_schunk.h"
 
 namespace scanway {
 namespace {

@@ -1,4 +1,4 @@
-#include "modules/tools/info.h"
+#include "modules/tools/logs/info.h"
 
 #include <filesystem>
 #include <string>

@@ -1,4 +1,4 @@
-#include "modules/tools/plan.h"
+#include "modules/tools/plan/plan.h"
 
 #include <gtest/gtest.h>
 

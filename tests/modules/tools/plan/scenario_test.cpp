@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "common/files/input_error.h"
-#include "modules/tools/moving_ai.h"
-#include "modules/tools/plan_scenario.h"
+#include "modules/tools/plan/moving_ai.h"
+#include "modules/tools/plan/plan_scenario.h"
 #include "tests/support/command.h"
 
 namespace scanway::test {

@@ -8,13 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "common/bytes/frame_finder.h"
+#include "modules/tools/output/json_line.h"
 
 namespace scanway::tools {
-
-/// One JSON document on a line of its own. Bytes that are no UTF-8 are shown as U+FFFD.
-inline void write_line(std::ostream& out, const nlohmann::ordered_json& line) {
-  out << line.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
-}
 
 inline nlohmann::ordered_json bad_line(const Stretch& stretch, const std::string& reason) {
   return {{"type", "bad"}, {"offset", stretch.offset}, {"length", stretch.length}, {"reason", reason}};

@@ -1,4 +1,4 @@
-#include "modules/tools/log_summary.h"
+#include "modules/tools/logs/log_summary.h"
 
 #include <algorithm>
 

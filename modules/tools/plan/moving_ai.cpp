@@ -1,4 +1,4 @@
-#include "modules/tools/moving_ai.h"
+#include "modules/tools/plan/moving_ai.h"
 
 #include <cmath>
 #include <filesystem>

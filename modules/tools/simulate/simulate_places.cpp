@@ -1,4 +1,4 @@
-#include "modules/tools/simulate_places.h"
+#include "modules/tools/simulate/simulate_places.h"
 
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@
 #include "common/messages/pose_message.h"
 #include "common/messages/rigid.h"
 #include "modules/simulator/core/world/world.h"
-#include "modules/tools/simulated_world.h"
+#include "modules/tools/simulate/simulated_world.h"
 #include "scanway/reference_pose_t.hpp"
 
 namespace scanway::tools {

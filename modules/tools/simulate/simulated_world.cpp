@@ -1,4 +1,4 @@
-#include "modules/tools/simulated_world.h"
+#include "modules/tools/simulate/simulated_world.h"
 
 #include "common/files/input_error.h"
 #include "common/files/printable.h"

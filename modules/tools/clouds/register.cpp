@@ -1,4 +1,4 @@
-#include "modules/tools/register.h"
+#include "modules/tools/clouds/register.h"
 
 #include <cmath>
 #include <cstdio>

@@ -1,4 +1,4 @@
-#include "modules/tools/octomap_clouds.h"
+#include "modules/tools/clouds/octomap_clouds.h"
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>

@@ -1,4 +1,4 @@
-#include "modules/tools/plan.h"
+#include "modules/tools/plan/plan.h"
 
 #include <cstdio>
 #include <optional>
@@ -15,7 +15,7 @@
 #include "common/progress/stage_timer.h"
 #include "modules/mapper/core/costmap/embodiment.h"
 #include "modules/planner/core/planner.h"
-#include "modules/tools/plan_answer.h"
+#include "modules/tools/plan/plan_answer.h"
 
 namespace scanway::tools {
 namespace {

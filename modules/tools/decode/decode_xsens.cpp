@@ -1,4 +1,4 @@
-#include "modules/tools/decode_xsens.h"
+#include "modules/tools/decode/decode_xsens.h"
 
 #include <iostream>
 #include <optional>
@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/files/read_file.h"
-#include "modules/tools/decode_stream.h"
+#include "modules/tools/decode/decode_stream.h"
 #include "modules/xsens_bridge/core/message.h"
 #include "modules/xsens_bridge/core/mtdata.h"
 #include "modules/xsens_bridge/core/mtdata2.h"

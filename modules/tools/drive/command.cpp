@@ -1,4 +1,4 @@
-#include "modules/tools/command.h"
+#include "modules/tools/drive/command.h"
 
 #include <chrono>
 #include <cstdio>

@@ -1,4 +1,4 @@
-#include "modules/tools/decode_lms.h"
+#include "modules/tools/decode/decode_lms.h"
 
 #include <cmath>
 #include <iostream>
@@ -11,7 +11,7 @@
 #include "modules/sick_bridge/core/names.h"
 #include "modules/sick_bridge/core/scan.h"
 #include "modules/sick_bridge/core/scan_geometry.h"
-#include "modules/tools/decode_stream.h"
+#include "modules/tools/decode/decode_stream.h"
 
 namespace scanway::tools {
 namespace {

@@ -1,4 +1,4 @@
-#include "modules/tools/decode_erratic.h"
+#include "modules/tools/decode/decode_erratic.h"
 
 #include <iostream>
 #include <stdexcept>
@@ -7,7 +7,7 @@
 #include "modules/base_bridge/core/command.h"
 #include "modules/base_bridge/core/packet.h"
 #include "modules/base_bridge/core/report.h"
-#include "modules/tools/decode_stream.h"
+#include "modules/tools/decode/decode_stream.h"
 
 namespace scanway::tools {
 namespace {

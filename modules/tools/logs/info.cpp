@@ -1,4 +1,4 @@
-#include "modules/tools/info.h"
+#include "modules/tools/logs/info.h"
 
 #include <algorithm>
 #include <iostream>
@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/files/printable.h"
-#include "modules/tools/log_summary.h"
+#include "modules/tools/logs/log_summary.h"
 
 namespace scanway::tools {
 

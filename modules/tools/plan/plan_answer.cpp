@@ -1,4 +1,4 @@
-#include "modules/tools/plan_answer.h"
+#include "modules/tools/plan/plan_answer.h"
 
 #include <cmath>
 

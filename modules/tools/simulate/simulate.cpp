@@ -1,4 +1,4 @@
-#include "modules/tools/simulate.h"
+#include "modules/tools/simulate/simulate.h"
 
 #include <algorithm>
 #include <charconv>
@@ -23,7 +23,7 @@
 #include "modules/simulator/core/simulator.h"
 #include "modules/simulator/files/labelled_pcd.h"
 #include "modules/simulator/node/raw_log.h"
-#include "modules/tools/simulated_world.h"
+#include "modules/tools/simulate/simulated_world.h"
 #include "scanway/reference_pose_t.hpp"
 
 namespace scanway::tools {

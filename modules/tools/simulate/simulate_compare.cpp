@@ -1,4 +1,4 @@
-#include "modules/tools/simulate_compare.h"
+#include "modules/tools/simulate/simulate_compare.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@
 #include "common/math/angle.h"
 #include "modules/tools/compare/map_comparison.h"
 #include "modules/tools/compare/replayed_folder.h"
-#include "modules/tools/simulated_world.h"
+#include "modules/tools/simulate/simulated_world.h"
 
 namespace scanway::tools {
 namespace {

@@ -1,4 +1,4 @@
-#include "modules/tools/progress_bar.h"
+#include "modules/tools/output/progress_bar.h"
 
 #include <unistd.h>
 

@@ -1,4 +1,4 @@
-#include "modules/tools/decode_schunk.h"
+#include "modules/tools/decode/decode_schunk.h"
 
 #include <algorithm>
 #include <iostream>
@@ -8,7 +8,7 @@
 #include "modules/schunk_bridge/core/candump.h"
 #include "modules/schunk_bridge/core/fields.h"
 #include "modules/schunk_bridge/core/listener.h"
-#include "modules/tools/decode_stream.h"
+#include "modules/tools/decode/decode_stream.h"
 
 namespace scanway::tools {
 namespace {

@@ -1,4 +1,4 @@
-#include "modules/tools/plan_scenario.h"
+#include "modules/tools/plan/plan_scenario.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +10,8 @@
 #include "common/files/printable.h"
 #include "common/progress/stage_timer.h"
 #include "modules/planner/core/planner.h"
-#include "modules/tools/moving_ai.h"
-#include "modules/tools/progress_bar.h"
+#include "modules/tools/plan/moving_ai.h"
+#include "modules/tools/output/progress_bar.h"
 
 namespace scanway::tools {
 namespace {

@@ -1,4 +1,4 @@
-#include "modules/tools/spy.h"
+#include "modules/tools/spy/spy.h"
 
 #include <algorithm>
 #include <functional>
@@ -11,7 +11,7 @@
 #include "common/bus/lcm_url.h"
 #include "common/files/input_error.h"
 #include "common/files/printable.h"
-#include "modules/tools/decode_stream.h"
+#include "modules/tools/output/json_line.h"
 #include "modules/tools/spy/asker.h"
 #include "modules/tools/spy/channel_view.h"
 #include "modules/tools/spy/relay.h"

@@ -1,4 +1,4 @@
-#include "modules/tools/import_clouds.h"
+#include "modules/tools/clouds/import_clouds.h"
 
 #include <spdlog/spdlog.h>
 

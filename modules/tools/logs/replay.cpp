@@ -1,4 +1,4 @@
-#include "modules/tools/replay.h"
+#include "modules/tools/logs/replay.h"
 
 #include <cstdio>
 #include <utility>
@@ -14,7 +14,7 @@
 #include "modules/replay/products.h"
 #include "modules/replay/replay.h"
 #include "modules/replay/verify/verify.h"
-#include "modules/tools/progress_bar.h"
+#include "modules/tools/output/progress_bar.h"
 
 namespace scanway::tools {
 namespace {
