@@ -11,7 +11,7 @@ using registration::CellGrid;
 using registration::Points;
 using registration::RangeImage;
 
-constexpr float kReach = 15.0f;           // metres from either sensor: farther, a person is a few pixels
+constexpr float kInView = 15.0f;          // metres from either sensor: farther, a person is a few pixels
 constexpr float kApart = 0.3f;            // metres between a thing and what the other sweep has there
 constexpr float kJoined = 0.35f;          // metres between neighbouring points of a thing
 constexpr std::size_t kLeastPoints = 12;  // of a thing, one a 0.1 m voxel
@@ -29,7 +29,7 @@ SeenThrough seen_through(const PreparedScan::Data& from, const PreparedScan::Dat
   const Eigen::Vector3f t = T_to_from.translation().cast<float>();
   for (const Eigen::Vector3f& p : from.fine.points()) {
     const Eigen::Vector3f q = R * p + t;
-    if (p.squaredNorm() > kReach * kReach || q.squaredNorm() > kReach * kReach) continue;
+    if (p.squaredNorm() > kInView * kInView || q.squaredNorm() > kInView * kInView) continue;
     const RangeImage::Sight sight = to.image.look(q);
     if (sight == RangeImage::Sight::unseen || sight == RangeImage::Sight::hidden) continue;
     ++result.seen;
