@@ -32,6 +32,10 @@ inline constexpr Channel kRegistration{"REGISTRATION", "scanway.registration_t",
 inline constexpr Channel kPose{"POSE", "bot_core.pose_t", false};
 inline constexpr Channel kCloudTile{"CLOUD_TILE", "scanway.cloud_tile_t", true};
 inline constexpr Channel kOctomap{"OCTOMAP", "scanway.octomap_t", true};
+inline constexpr Channel kMapRequest{"MAP_REQUEST", "scanway.map_request_t", false};
+inline constexpr Channel kCloudLevel{"CLOUD_LEVEL", "scanway.cloud_tile_t", true};
+inline constexpr Channel kOctomapLevel{"OCTOMAP_LEVEL", "scanway.octomap_t", true};
+inline constexpr Channel kMapLevel{"MAP_LEVEL", "scanway.map_level_t", true};
 inline constexpr Channel kCostMapTile{"COST_MAP_TILE", "scanway.cost_tile_t", true};
 inline constexpr Channel kCostMapIndex{"COST_MAP_INDEX", "scanway.cost_map_index_t", true};
 inline constexpr Channel kGoal{"GOAL", "scanway.goal_t", false};
@@ -60,6 +64,8 @@ inline constexpr Channel kChannels[] = {
     channel::kLaserScan,      channel::kLaserRaw,      channel::kLineRequest,
     channel::kPanTiltCommand, channel::kBaseCommand,   channel::kObjectIndex,
     channel::kPieceRequest,   channel::kHealth,        channel::kTiming,
+    channel::kMapRequest,     channel::kCloudLevel,    channel::kOctomapLevel,
+    channel::kMapLevel,
 };
 
 /// The channel of that name, or nullptr.

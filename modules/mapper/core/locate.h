@@ -38,11 +38,13 @@ struct Location {
   std::vector<Link> links;                ///< Those that were accepted, as they were found.
   std::optional<std::size_t> refused_by;  ///< Of a sweep without links: the target that `refusal` is about.
   std::optional<RegistrationResult> refusal;
+  std::size_t searched = 0;  ///< At how many of the map's sweeps it was looked for.
 };
 
-/// Where a sweep belongs among those of the map: registered to the newest sweep that takes it, then to those that, by
-/// the pose that this gives, see most of what it sees. Each registration is a search of its own, so that they can
-/// contradict each other. The first sweep of a session is registered to all of the map: nothing says where it is.
+/// Where a sweep belongs among those of the map. It is looked for where the robot was last, then ever farther from
+/// there, until a sweep takes it; then it is registered to those that, by the pose that this gives, see most of what it
+/// sees. Each registration is a search of its own, so that they can contradict each other. The more places were asked,
+/// the surer the one that takes it must be, or a second one must take it, too.
 class Locator {
  public:
   Locator(const Robot& robot, const RegistrationConfig& config) : tracker_(robot.tracker), config_(config) {}
@@ -51,8 +53,16 @@ class Locator {
   Location locate(const PlacedSweep& sweep, const std::vector<PlacedSweep>& map, StageListener* stages) const;
 
  private:
-  RegistrationResult link(const PlacedSweep& sweep, const PlacedSweep& target, StageListener* stages) const;
-  std::optional<OrientationPrior> prior(const PlacedSweep& sweep, const PlacedSweep& target) const;
+  using Sweeps = std::vector<PlacedSweep>;
+  struct Found {
+    Link link;
+    bool certain = false;
+  };
+
+  std::optional<Found> find(const PlacedSweep& sweep, const Sweeps& map, Location& location,
+                            StageListener* stages) const;
+  RegistrationResult link(const PlacedSweep& sweep, const Sweeps& map, std::size_t target, StageListener* stages) const;
+  std::optional<OrientationPrior> prior(const PlacedSweep& sweep, const Sweeps& map, std::size_t target) const;
 
   Robot::Tracker tracker_;
   RegistrationConfig config_;

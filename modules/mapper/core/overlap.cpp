@@ -29,23 +29,37 @@ void keep_best(Ranked& ranked, std::size_t count) {
   if (ranked.size() > count) ranked.resize(count);
 }
 
+/// The sweeps nearest to a place.
+Ranked nearest_to(const Eigen::Vector3d& place, const std::vector<PlacedSweep>& map, std::size_t count) {
+  Ranked nearest;
+  for (std::size_t i = 0; i < map.size(); ++i) {
+    nearest.emplace_back(-(map[i].X_map_sweep * map[i].origin - place).norm(), i);
+  }
+  keep_best(nearest, count);
+  return nearest;
+}
+
+std::vector<std::size_t> numbers_of(const Ranked& ranked) {
+  std::vector<std::size_t> numbers;
+  for (const auto& [rank, number] : ranked) numbers.push_back(number);
+  return numbers;
+}
+
 }  // namespace
+
+std::vector<std::size_t> nearest_to_last(const std::vector<PlacedSweep>& map, std::size_t count) {
+  return numbers_of(nearest_to(map.back().X_map_sweep * map.back().origin, map, count));
+}
 
 std::vector<std::size_t> most_overlapping(const PlacedSweep& sweep, const Pose& X_map_sweep,
                                           const std::vector<PlacedSweep>& map, std::size_t count) {
-  Ranked nearest, most;
-  for (std::size_t i = 0; i < map.size(); ++i) {
-    nearest.emplace_back(-(map[i].X_map_sweep * map[i].origin - X_map_sweep * sweep.origin).norm(), i);
-  }
-  keep_best(nearest, kMostCompared);
-  for (const auto& [distance, i] : nearest) {
+  Ranked most;
+  for (const auto& [rank, i] : nearest_to(X_map_sweep * sweep.origin, map, kMostCompared)) {
     const double share = overlap(sweep, map[i], X_map_sweep);
     if (share >= kLeastOverlap) most.emplace_back(share, i);
   }
   keep_best(most, count);
-  std::vector<std::size_t> chosen;
-  for (const auto& [share, i] : most) chosen.push_back(i);
-  return chosen;
+  return numbers_of(most);
 }
 
 }  // namespace scanway

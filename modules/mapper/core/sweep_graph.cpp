@@ -17,6 +17,14 @@ Matrix6 covariance_of(const RegistrationResult& registration) {
   return covariance;
 }
 
+std::vector<std::size_t> newly_dropped(const GraphSolution& before, const GraphSolution& after) {
+  std::vector<std::size_t> edges;
+  for (std::size_t e = 0; e < before.dropped.size(); ++e) {
+    if (after.dropped[e] && !before.dropped[e]) edges.push_back(e);
+  }
+  return edges;
+}
+
 }  // namespace
 
 PoseGraph::Node SweepGraph::node_of(const PlacedSweep& sweep) const {
@@ -44,6 +52,7 @@ bool SweepGraph::add(PlacedSweep sweep, const std::vector<Link>& links) {
   const auto ours = solution.dropped.end() - static_cast<std::ptrdiff_t>(links.size());
   if (std::all_of(ours, solution.dropped.end(), [](bool dropped) { return dropped; })) return false;
 
+  exposed_ = newly_dropped(solution_, solution);
   graph_ = std::move(graph);
   solution_ = std::move(solution);
   sweeps_.push_back(std::move(sweep));

@@ -23,6 +23,8 @@ class SweepGraph {
   const std::vector<PlacedSweep>& sweeps() const { return sweeps_; }
   const PoseGraph& graph() const { return graph_; }
   const GraphSolution& solution() const { return solution_; }
+  /// Edges between earlier sweeps that the newest one showed to be wrong.
+  const std::vector<std::size_t>& exposed() const { return exposed_; }
 
  private:
   PoseGraph::Node node_of(const PlacedSweep& sweep) const;
@@ -31,6 +33,7 @@ class SweepGraph {
   std::vector<PlacedSweep> sweeps_;
   PoseGraph graph_;
   GraphSolution solution_;
+  std::vector<std::size_t> exposed_;
 };
 
 }  // namespace scanway

@@ -13,7 +13,7 @@
 #include "common/files/product_folder.h"
 #include "common/grid/bounds.h"
 #include "common/math/angle.h"
-#include "modules/tools/compare/map_comparison.h"
+#include "modules/tools/compare/cells/map_comparison.h"
 #include "modules/tools/compare/replayed_folder.h"
 #include "modules/tools/simulate/simulated_world.h"
 

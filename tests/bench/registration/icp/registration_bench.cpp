@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <ctime>
 #include <map>
 #include <string>
 #include <vector>
@@ -16,6 +15,7 @@
 #include "modules/mapper/core/registration/normals.h"
 #include "modules/mapper/core/registration/prepared_scan.h"
 #include "modules/mapper/core/registration/voxel_grid.h"
+#include "tests/bench/registration/cpu_stages.h"
 #include "tests/bench/registration/real_pairs.h"
 
 namespace {
@@ -26,26 +26,10 @@ using namespace scanway::registration;
 
 constexpr std::array<IcpRound, 3> kRounds = {{{0.6f, 0.2f, 10}, {0.5f, 0.1f, 10}, {0.5f, 0.1f, 20, true}}};
 
-double cpu_s() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
 double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   return values.empty() ? 0.0 : values[values.size() / 2];
 }
-
-class CpuStages : public StageListener {
- public:
-  void begin(std::string_view name) override {
-    if (!current_.empty()) seconds[current_] += cpu_s() - since_;
-    current_ = name;
-    since_ = cpu_s();
-  }
-  std::map<std::string, double> seconds;
-
- private:
-  std::string current_;
-  double since_ = 0.0;
-};
 
 struct Figures {
   std::vector<double> prepare, icp, millimetres, degrees, points;

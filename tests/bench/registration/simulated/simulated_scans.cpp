@@ -1,11 +1,11 @@
 #include "tests/bench/registration/simulated/simulated_scans.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "common/math/repeatable.h"
 #include "common/random/random.h"
 #include "modules/mapper/core/registration/prepared_scan.h"
+#include "tests/bench/registration/simulated/simulated_sweep.h"
 
 namespace scanway::bench {
 namespace {
@@ -29,18 +29,13 @@ Place random_place(const World& world, double start_m, double span_m, Random& ra
   return place;
 }
 
-void add_sweep(const World& world, const RayCaster& caster, const Stand& stand, const SimulatedPlan& plan,
+void add_sweep(const RayCaster& caster, const World& world, const Stand& stand, const SimulatedPlan& plan,
                std::uint64_t seed, SimulatedScans& scans) {
-  static const Robot kRobot = simulated_robot();
-  SweepConfig config;
-  config.seed = seed;
-  config.thin = plan.thin;
-  const Sweep sweep = points_of(simulate_lines(caster, kRobot, stand.X_world_base, config), kRobot).sweep;
-  const RegistrationConfig limits{kRobot.laser.min_range_m, kRobot.laser.max_range_m, world.seed};
-  scans.scans.push_back(PreparedScan::make(sweep.cloud, sweep.origin, limits));
+  const SimulatedCloud sweep = simulate_cloud(caster, stand.X_world_base, plan.thin, seed);
+  scans.scans.push_back(PreparedScan::make(sweep.cloud, sweep.origin, simulated_limits(world.seed)));
   scans.samples.push_back(some_points(sweep.cloud));
-  scans.X_world_base.push_back(stand.X_world_base);
-  scans.R_tracker.push_back(Tracker(kRobot.tracker, stand.X_world_base, seed).mean());
+  scans.X_world_base.push_back(sweep.X_world_base);
+  scans.R_tracker.push_back(sweep.R_tracker);
 }
 
 double one_way(const std::vector<Eigen::Vector3f>& points, const PreparedScan::Data& to, const Pose& T) {
@@ -55,12 +50,7 @@ double one_way(const std::vector<Eigen::Vector3f>& points, const PreparedScan::D
 }  // namespace
 
 OrientationPrior SimulatedScans::prior(std::size_t source, std::size_t target) const {
-  static const Robot kRobot = simulated_robot();
-  OrientationPrior prior;
-  prior.R_target_source = (R_tracker[target].conjugate() * R_tracker[source]).toRotationMatrix();
-  prior.heading_sigma = std::sqrt(2.0) * kRobot.tracker.heading_sigma;
-  prior.tilt_sigma = std::sqrt(2.0) * kRobot.tracker.tilt_sigma;
-  return prior;
+  return tracker_prior(R_tracker[source], R_tracker[target]);
 }
 
 double SimulatedScans::overlap(std::size_t a, std::size_t b) const {
@@ -77,7 +67,7 @@ SimulatedScans simulate_scans(const std::string& world_name, std::uint64_t seed,
   for (int tries = 0; static_cast<int>(scans.scans.size()) < plan.sweeps && tries < kTries * plan.sweeps; ++tries) {
     const Stand stand = stand_at(world, kRobot, random_place(world, 1.0, plan.span_m, random));
     if (!stand.problem.empty()) continue;
-    add_sweep(world, caster, stand, plan, seed * 1000 + scans.scans.size(), scans);
+    add_sweep(caster, world, stand, plan, seed * 1000 + scans.scans.size(), scans);
   }
   return scans;
 }

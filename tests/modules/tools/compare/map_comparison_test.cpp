@@ -1,6 +1,6 @@
 // The comparison of a cost map with the truth, against a second computation of each of its parts: a court with one box,
 // whose shadow and cells can be written down.
-#include "modules/tools/compare/map_comparison.h"
+#include "modules/tools/compare/cells/map_comparison.h"
 
 #include <cmath>
 

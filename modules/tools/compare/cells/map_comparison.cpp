@@ -1,4 +1,4 @@
-#include "modules/tools/compare/map_comparison.h"
+#include "modules/tools/compare/cells/map_comparison.h"
 
 #include <cmath>
 
@@ -53,6 +53,24 @@ void count_occupied(const MapInWorld& map, Cell cell, CellCounts& counts) {
   if (!map.marked_near(cell)) ++counts.occupied_unmarked;
 }
 
+void count_drop_off(const MapInWorld& map, Cell cell, CellCounts& counts) {
+  ++counts.drop_offs;
+  if (map.marked_near(cell)) return;
+  ++counts.drop_offs_unmarked;
+  if (map.state(cell) == CellState::free) ++counts.drop_offs_open;
+}
+
+/// Ground is looked at where its centre is in sight; a thing, where there is ground beside it.
+int sweeps_that_saw(CellTruth truth, std::uint8_t near, std::uint8_t visible) {
+  return truth == CellTruth::occupied ? near : visible;
+}
+
+void count_cell(const MapInWorld& map, Cell cell, CellTruth truth, CellCounts& counts) {
+  if (truth == CellTruth::free) count_free(map.state(cell), counts);
+  if (truth == CellTruth::occupied) count_occupied(map, cell, counts);
+  if (truth == CellTruth::drop_off) count_drop_off(map, cell, counts);
+}
+
 }  // namespace
 
 CellCounts& CellCounts::operator+=(const CellCounts& other) {
@@ -62,12 +80,17 @@ CellCounts& CellCounts::operator+=(const CellCounts& other) {
   occupied += other.occupied;
   occupied_called_free += other.occupied_called_free;
   occupied_unmarked += other.occupied_unmarked;
+  drop_offs += other.drop_offs;
+  drop_offs_unmarked += other.drop_offs_unmarked;
+  drop_offs_open += other.drop_offs_open;
   return *this;
 }
 
 MapComparison& MapComparison::operator+=(const MapComparison& other) {
   one += other.one;
   two += other.two;
+  unseen += other.unseen;
+  unseen_called_free += other.unseen_called_free;
   return *this;
 }
 
@@ -79,18 +102,18 @@ MapComparison compare(const CostMap& map, const Pose& X_map_world, const simulat
   return sum_blocks(window.size(), kRowsAtOnce * width, MapComparison{}, [&](std::size_t begin, std::size_t end) {
     MapComparison part;
     for (std::size_t i = begin; i < end; ++i) {
-      if (seen.near[i] == 0) continue;
       const Cell at{window.low_x + static_cast<std::int32_t>(i % width),
                     window.low_y + static_cast<std::int32_t>(i / width)};
       const CellTruth here = truth.at(at);
       if (here == CellTruth::unknown) continue;
-      const bool free = here == CellTruth::free;
-      const int sweeps = free ? seen.visible[i] : seen.near[i];
-      if (sweeps == 0) continue;
-      CellCounts& counts = sweeps == 1 ? part.one : part.two;
       const Cell cell = in_world.cell(window.centre(at.x), window.centre(at.y));
-      if (free) count_free(in_world.state(cell), counts);
-      if (!free) count_occupied(in_world, cell, counts);
+      if (seen.near[i] == 0) {
+        ++part.unseen;
+        part.unseen_called_free += in_world.state(cell) == CellState::free ? 1 : 0;
+        continue;
+      }
+      const int sweeps = sweeps_that_saw(here, seen.near[i], seen.visible[i]);
+      if (sweeps > 0) count_cell(in_world, cell, here, sweeps == 1 ? part.one : part.two);
     }
     return part;
   });

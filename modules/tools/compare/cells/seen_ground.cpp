@@ -1,4 +1,4 @@
-#include "modules/tools/compare/seen_ground.h"
+#include "modules/tools/compare/cells/seen_ground.h"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 
 #include "common/grid/cost_map.h"
 #include "modules/simulator/core/truth/truth_grid.h"
-#include "modules/tools/compare/seen_ground.h"
+#include "modules/tools/compare/cells/seen_ground.h"
 
 namespace scanway::tools {
 
@@ -15,10 +15,14 @@ struct CellCounts {
   std::int64_t free = 0;
   std::int64_t free_called_occupied = 0;
   std::int64_t free_called_unknown = 0;
-  // In truth occupied or the edge of a drop, with ground that was seen beside it.
+  // In truth occupied, with ground that was seen beside it.
   std::int64_t occupied = 0;
   std::int64_t occupied_called_free = 0;
   std::int64_t occupied_unmarked = 0;  ///< Of these, with no occupied cell of the map within kMarkReach_m.
+  // In truth the upper edge of a drop, and looked at.
+  std::int64_t drop_offs = 0;
+  std::int64_t drop_offs_unmarked = 0;  ///< With no occupied cell of the map within kMarkReach_m.
+  std::int64_t drop_offs_open = 0;      ///< Of these, the cells called free.
 
   std::int64_t free_lost() const { return free_called_occupied + free_called_unknown; }
   CellCounts& operator+=(const CellCounts& other);
@@ -29,7 +33,9 @@ struct CellCounts {
 constexpr double kMarkReach_m = 0.03;
 
 struct MapComparison {
-  CellCounts one, two;  ///< Cells whose ground one sweep saw; two or more.
+  CellCounts one, two;      ///< Cells whose ground one sweep saw; two or more.
+  std::int64_t unseen = 0;  ///< Cells of the truth that have no ground point of any sweep near them,
+  std::int64_t unseen_called_free = 0;
 
   MapComparison& operator+=(const MapComparison& other);
 };
