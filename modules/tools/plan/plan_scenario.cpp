@@ -10,8 +10,8 @@
 #include "common/files/printable.h"
 #include "common/progress/stage_timer.h"
 #include "modules/planner/core/planner.h"
-#include "modules/tools/plan/moving_ai.h"
 #include "modules/tools/output/progress_bar.h"
+#include "modules/tools/plan/moving_ai.h"
 
 namespace scanway::tools {
 namespace {
