@@ -2,6 +2,7 @@
 
 #include <cstring>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -10,7 +11,7 @@
 #include "modules/sick_bridge/core/commands.h"
 #include "modules/sick_bridge/core/describe.h"
 #include "modules/sick_bridge/core/scan.h"
-#include "tests/support/hostile_bytes.h"
+#include "tests/support/hostile_streams.h"
 
 namespace scanway::test {
 
@@ -69,57 +70,15 @@ inline void read_whatever_it_is(const Bytes& frame) {
   }
 }
 
-/// `count` hostile streams: no crash, every byte in exactly one stretch, every frame a frame, and after each stream at
-/// most two good telegrams until telegrams come through again.
-inline void try_hostile_lms_streams(int count, std::uint64_t seed) {
-  Random random(seed);
-  const auto good = good_lms_frames();
-  const std::vector<Bytes> after{small_scan(1001), small_scan(1002), small_scan(1003)};
-  for (int i = 0; i < count; ++i) {
-    Bytes stream = hostile_stream(good, random);
-    for (const Bytes& frame : after) stream.insert(stream.end(), frame.begin(), frame.end());
-    FrameFinder finder = sick::make_frame_finder();
-    std::uint64_t covered = 0;
-    bool third_came = false, one_of_two_came = false;
-    const auto take = [&](const Stretch& stretch) {
-      ASSERT_EQ(stretch.offset, covered);
-      covered += stretch.length;
-      if (!stretch.whole) return;
-      ASSERT_TRUE(is_lms_frame(stretch.bytes));
-      ASSERT_TRUE(std::equal(stretch.bytes.begin(), stretch.bytes.end(),
-                             stream.begin() + static_cast<std::ptrdiff_t>(stretch.offset)));
-      read_whatever_it_is(stretch.bytes);
-      one_of_two_came = one_of_two_came || stretch.bytes == after[0] || stretch.bytes == after[1];
-      third_came = stretch.bytes == after[2];
-    };
-    feed_in_pieces(finder, stream, random, take);
-    ASSERT_TRUE(third_came) << "stream " << i;
-    ASSERT_TRUE(one_of_two_came) << "stream " << i;
-    finder.finish();
-    while (const auto stretch = finder.next()) take(*stretch);
-    ASSERT_EQ(covered, stream.size()) << "stream " << i;
-  }
-}
-
-/// `count` streams of nothing but random bytes, with the bytes that frames begin with more often than others.
-inline void try_random_lms_streams(int count, std::uint64_t seed) {
-  Random random(seed);
-  for (int i = 0; i < count; ++i) {
-    Bytes stream = random_bytes(1 + random.below(300), random);
-    for (auto& byte : stream) {
-      if (random.below(4) == 0) byte = static_cast<std::uint8_t>("\x02\x02\x03sSNRA \x00"[random.below(10)]);
-    }
-    FrameFinder finder = sick::make_frame_finder();
-    std::uint64_t covered = 0;
-    const auto take = [&](const Stretch& stretch) {
-      covered += stretch.length;
-      if (stretch.whole) read_whatever_it_is(stretch.bytes);
-    };
-    feed_in_pieces(finder, stream, random, take);
-    finder.finish();
-    while (const auto stretch = finder.next()) take(*stretch);
-    ASSERT_EQ(covered, stream.size()) << "stream " << i;
-  }
+inline StreamTrial lms_trial() {
+  using namespace std::string_view_literals;
+  return {.make_finder = sick::make_frame_finder,
+          .good = good_lms_frames(),
+          .after = {small_scan(1001), small_scan(1002), small_scan(1003)},
+          .most_lost = 1,
+          .beginnings = "\x02\x02\x03sSNRA \x00"sv,
+          .is_frame = is_lms_frame,
+          .read_frame = read_whatever_it_is};
 }
 
 }  // namespace scanway::test

@@ -10,7 +10,7 @@
 #include "modules/xsens_bridge/core/mtdata2.h"
 #include "modules/xsens_bridge/core/reading.h"
 #include "modules/xsens_bridge/core/replies.h"
-#include "tests/support/hostile_bytes.h"
+#include "tests/support/hostile_streams.h"
 
 namespace scanway::test {
 
@@ -62,54 +62,14 @@ inline void read_whatever_it_is(const Bytes& frame) {
   }
 }
 
-/// `count` hostile streams: no crash, every byte in exactly one stretch, every frame a frame, and after each stream at
-/// most two good messages until messages come through again.
-inline void try_hostile_xsens_streams(int count, std::uint64_t seed) {
-  Random random(seed);
-  const auto good = good_xsens_frames();
-  const std::vector<Bytes> after{small_mtdata2(1001), small_mtdata2(1002), small_mtdata2(1003)};
-  for (int i = 0; i < count; ++i) {
-    Bytes stream = hostile_stream(good, random);
-    for (const Bytes& frame : after) stream.insert(stream.end(), frame.begin(), frame.end());
-    FrameFinder finder = xsens::make_frame_finder();
-    std::uint64_t covered = 0;
-    bool third_came = false;
-    const auto take = [&](const Stretch& stretch) {
-      ASSERT_EQ(stretch.offset, covered);
-      covered += stretch.length;
-      if (!stretch.whole) return;
-      ASSERT_TRUE(is_xsens_frame(stretch.bytes));
-      read_whatever_it_is(stretch.bytes);
-      third_came = third_came || stretch.bytes == after[2];
-    };
-    feed_in_pieces(finder, stream, random, take);
-    ASSERT_TRUE(third_came) << "stream " << i;
-    finder.finish();
-    while (const auto stretch = finder.next()) take(*stretch);
-    ASSERT_EQ(covered, stream.size()) << "stream " << i;
-  }
-}
-
-/// `count` streams of nothing but random bytes, with the bytes that frames begin with more often than others.
-inline void try_random_xsens_streams(int count, std::uint64_t seed) {
-  Random random(seed);
-  for (int i = 0; i < count; ++i) {
-    Bytes stream = random_bytes(1 + random.below(300), random);
-    for (auto& byte : stream) {
-      if (random.below(4) == 0)
-        byte = static_cast<std::uint8_t>("\xFA\xFF\x36\x32\x04\x10\x20\xFA\xFF\x42"[random.below(10)]);
-    }
-    FrameFinder finder = xsens::make_frame_finder();
-    std::uint64_t covered = 0;
-    const auto take = [&](const Stretch& stretch) {
-      covered += stretch.length;
-      if (stretch.whole) read_whatever_it_is(stretch.bytes);
-    };
-    feed_in_pieces(finder, stream, random, take);
-    finder.finish();
-    while (const auto stretch = finder.next()) take(*stretch);
-    ASSERT_EQ(covered, stream.size()) << "stream " << i;
-  }
+inline StreamTrial xsens_trial() {
+  return {.make_finder = xsens::make_frame_finder,
+          .good = good_xsens_frames(),
+          .after = {small_mtdata2(1001), small_mtdata2(1002), small_mtdata2(1003)},
+          .most_lost = 2,
+          .beginnings = "\xFA\xFF\x36\x32\x04\x10\x20\xFA\xFF\x42",
+          .is_frame = is_xsens_frame,
+          .read_frame = read_whatever_it_is};
 }
 
 }  // namespace scanway::test

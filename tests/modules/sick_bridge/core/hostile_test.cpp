@@ -2,9 +2,9 @@
 
 namespace scanway::test {
 
-TEST(LmsStream, HostileStreamsNeverBreakTheDecoder) { try_hostile_lms_streams(20'000, 1); }
+TEST(LmsStream, HostileStreamsNeverBreakTheDecoder) { try_hostile_streams(lms_trial(), 20'000, 1); }
 
-TEST(LmsStream, RandomStreamsNeverBreakTheDecoder) { try_random_lms_streams(20'000, 2); }
+TEST(LmsStream, RandomStreamsNeverBreakTheDecoder) { try_random_streams(lms_trial(), 20'000, 2); }
 
 TEST(LmsStream, NoValueComesFromATelegramWithAWrongChecksum) {
   Random random(3);

@@ -13,6 +13,7 @@
 #include "tests/support/bus_peer.h"
 #include "tests/support/private_network.h"
 #include "tests/support/program.h"
+#include "tests/support/refusals.h"
 
 namespace scanway::test {
 namespace {
@@ -150,22 +151,14 @@ TEST_F(SickProgram, ProbeNeedsNoBusAndSaysWhatItFound) {
 }
 
 TEST_F(SickProgram, WhatItCannotUseIsOneLine) {
-  const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
-      {{"--frequency", "33"}, "no LMS5xx scans at 33 Hz"},
-      {{"--sector", "10", "5"}, "--sector 10,5"},
-      {{"--echo", "third"}, "--echo third"},
-      {{"--port", "fast"}, "--port"},
-      {{"--robot", "/nowhere.yaml"}, "/nowhere.yaml"},
-      {{"--lcm-url", "xyz://1"}, "no provider 'xyz'"},
-  };
-  for (const auto& [options, line] : cases) {
-    std::vector<std::string> words = {kProgram};
-    words.insert(words.end(), options.begin(), options.end());
-    const auto refused = run_command(words);
-    EXPECT_EQ(refused.status, 2) << refused.err;
-    EXPECT_NE(refused.err.find(line), std::string::npos) << refused.err;
-    EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
-  }
+  expect_refusals(kProgram, {
+                                {{"--frequency", "33"}, "no LMS5xx scans at 33 Hz"},
+                                {{"--sector", "10", "5"}, "--sector 10,5"},
+                                {{"--echo", "third"}, "--echo third"},
+                                {{"--port", "fast"}, "--port"},
+                                {{"--robot", "/nowhere.yaml"}, "/nowhere.yaml"},
+                                {{"--lcm-url", "xyz://1"}, "no provider 'xyz'"},
+                            });
 }
 
 }  // namespace

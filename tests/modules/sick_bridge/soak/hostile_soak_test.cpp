@@ -2,8 +2,8 @@
 
 namespace scanway::test {
 
-TEST(LmsSoak, HostileStreams) { try_hostile_lms_streams(1'000'000, 11); }
+TEST(LmsSoak, HostileStreams) { try_hostile_streams(lms_trial(), 1'000'000, 11); }
 
-TEST(LmsSoak, RandomStreams) { try_random_lms_streams(1'000'000, 12); }
+TEST(LmsSoak, RandomStreams) { try_random_streams(lms_trial(), 1'000'000, 12); }
 
 }  // namespace scanway::test

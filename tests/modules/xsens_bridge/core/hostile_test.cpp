@@ -2,9 +2,9 @@
 
 namespace scanway::test {
 
-TEST(XsensStream, HostileStreamsNeverBreakTheDecoder) { try_hostile_xsens_streams(20'000, 1); }
+TEST(XsensStream, HostileStreamsNeverBreakTheDecoder) { try_hostile_streams(xsens_trial(), 20'000, 1); }
 
-TEST(XsensStream, RandomStreamsNeverBreakTheDecoder) { try_random_xsens_streams(20'000, 2); }
+TEST(XsensStream, RandomStreamsNeverBreakTheDecoder) { try_random_streams(xsens_trial(), 20'000, 2); }
 
 TEST(XsensStream, NoValueComesFromAMessageWithAWrongChecksum) {
   Random random(3);

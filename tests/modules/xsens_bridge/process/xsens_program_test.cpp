@@ -13,6 +13,7 @@
 #include "tests/support/command.h"
 #include "tests/support/private_network.h"
 #include "tests/support/program.h"
+#include "tests/support/refusals.h"
 
 namespace scanway::test {
 namespace {
@@ -106,19 +107,11 @@ TEST_F(XsensProgram, AnotherRateOrDeviceIsOneClearLine) {
 }
 
 TEST_F(XsensProgram, WhatItCannotUseIsOneLine) {
-  const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
-      {{"--rate", "0"}, "--rate"},
-      {{"--robot", "/nowhere.yaml"}, "/nowhere.yaml"},
-      {{"--lcm-url", "xyz://1"}, "no provider 'xyz'"},
-  };
-  for (const auto& [options, line] : cases) {
-    std::vector<std::string> words = {kProgram};
-    words.insert(words.end(), options.begin(), options.end());
-    const auto refused = run_command(words);
-    EXPECT_EQ(refused.status, 2) << refused.err;
-    EXPECT_NE(refused.err.find(line), std::string::npos) << refused.err;
-    EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
-  }
+  expect_refusals(kProgram, {
+                                {{"--rate", "0"}, "--rate"},
+                                {{"--robot", "/nowhere.yaml"}, "/nowhere.yaml"},
+                                {{"--lcm-url", "xyz://1"}, "no provider 'xyz'"},
+                            });
 }
 
 }  // namespace

@@ -2,8 +2,8 @@
 
 namespace scanway::test {
 
-TEST(XsensSoak, HostileStreams) { try_hostile_xsens_streams(1'000'000, 21); }
+TEST(XsensSoak, HostileStreams) { try_hostile_streams(xsens_trial(), 1'000'000, 21); }
 
-TEST(XsensSoak, RandomStreams) { try_random_xsens_streams(1'000'000, 22); }
+TEST(XsensSoak, RandomStreams) { try_random_streams(xsens_trial(), 1'000'000, 22); }
 
 }  // namespace scanway::test
