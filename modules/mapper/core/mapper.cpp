@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "modules/mapper/core/placement_reason.h"
+
 namespace scanway {
 namespace {
 
@@ -23,27 +25,11 @@ const Link& best_of(const std::vector<Link>& links, const GraphSolution& solutio
   return *best;
 }
 
-/// How many sweeps say so, and which registrations contradict that.
-std::string said_of(const std::vector<Link>& links, const SweepGraph& graph) {
-  const GraphSolution& solution = graph.solution();
-  const std::size_t before = solution.dropped.size() - links.size();
-  std::string kept, contradicting;
-  for (std::size_t i = 0; i < links.size(); ++i) {
-    std::string& names = solution.dropped[before + i] ? contradicting : kept;
-    if (!names.empty()) names += ", ";
-    names += graph.sweeps()[links[i].target].name;
-  }
-  std::string said;
-  if (links.size() > 1) said += " It is where it was registered to: " + kept + ".";
-  if (!contradicting.empty()) said += " Dropped, for they contradict that: " + contradicting + ".";
-  return said;
-}
-
-std::string not_found(std::size_t searched, const RegistrationResult& newest) {
-  std::string reason = "Not found in the map that it should continue, at none of its ";
-  reason += std::to_string(searched);
-  reason += " sweeps; at the last one: ";
-  return reason + newest.reason;
+/// While `sweep` was taken, by what it was first registered to.
+Movement movement_of(const Sweep& sweep, const PlacedSweep& placed, const Link& link, const PlacedSweep& target) {
+  const Pose& T = link.registration.T_target_source;
+  return {robot_movement(DirectionTimes(sweep), placed.scan.data(), target.scan.data(), T),
+          scene_movement(placed.scan.data(), target.scan.data(), T)};
 }
 
 }  // namespace
@@ -88,7 +74,7 @@ SweepResult Mapper::place(const Sweep& sweep, StageListener* stages) {
   placed.origin = sweep.origin;
   placed.R_world_sweep = sweep.R_world_sweep;
   placed.session = session_;
-  return trajectory_.empty() ? place_first(sweep, std::move(placed)) : place_among(std::move(placed), stages);
+  return trajectory_.empty() ? place_first(sweep, std::move(placed)) : place_among(sweep, std::move(placed), stages);
 }
 
 SweepResult Mapper::place_first(const Sweep& sweep, PlacedSweep placed) {
@@ -106,28 +92,37 @@ SweepResult Mapper::place_first(const Sweep& sweep, PlacedSweep placed) {
   return result;
 }
 
-SweepResult Mapper::place_among(PlacedSweep placed, StageListener* stages) {
+SweepResult Mapper::place_among(const Sweep& sweep, PlacedSweep placed, StageListener* stages) {
   SweepResult result;
-  const bool goes_on = graph_.sweeps().back().session == placed.session;
-  const Location location = locator_.locate(placed, graph_.sweeps(), stages);
+  const std::vector<PlacedSweep>& map = graph_.sweeps();
+  const bool continued = map.back().session != placed.session;
+  const Location location = locator_.locate(placed, map, stages);
   if (location.links.empty()) {
-    result.target = graph_.sweeps()[*location.refused_by].name;
+    result.target = map[*location.refused_by].name;
     result.registration = *location.refusal;
-    result.reason = goes_on ? result.registration.reason : not_found(graph_.sweeps().size(), result.registration);
+    result.reason = said_of_refusal(location, map, continued);
+    return result;
+  }
+  const Link& first = location.links.front();
+  result.target = map[first.target].name;
+  result.registration = first.registration;
+  begin_stage(stages, "movement");
+  result.movement = movement_of(sweep, placed, first, map[first.target]);
+  if (breaks_sweep(result.movement.robot)) {
+    result.reason = "No one pose is right for all of the sweep." + said_of(result.movement);
     return result;
   }
   begin_stage(stages, "graph");
-  const bool agrees = graph_.add(std::move(placed), location.links);
-  const Link& link = agrees ? best_of(location.links, graph_.solution()) : location.links.front();
-  result.target = graph_.sweeps()[link.target].name;
-  result.registration = link.registration;
-  if (!agrees) {
+  if (!graph_.add(std::move(placed), location.links)) {
     result.reason = "Its registrations contradict the map.";
     return result;
   }
+  const Link& best = best_of(location.links, graph_.solution());
+  result.target = map[best.target].name;
+  result.registration = best.registration;
   result.verdict = Verdict::accepted;
-  result.reason = link.registration.reason + said_of(location.links, graph_);
-  result.X_map_sweep = graph_.sweeps().back().X_map_sweep;
+  result.reason = best.registration.reason + said_of_links(location.links, graph_) + said_of(result.movement);
+  result.X_map_sweep = map.back().X_map_sweep;
   return result;
 }
 

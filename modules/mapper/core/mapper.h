@@ -12,6 +12,7 @@
 #include "common/time/utime.h"
 #include "modules/mapper/core/locate.h"
 #include "modules/mapper/core/map.h"
+#include "modules/mapper/core/movement/movement.h"
 #include "modules/mapper/core/registration/registration.h"
 #include "modules/mapper/core/sweep_archive.h"
 #include "modules/mapper/core/sweep_graph.h"
@@ -48,6 +49,7 @@ struct SweepResult {
   Pose X_map_sweep = Pose::Identity();  ///< Of an accepted sweep.
   MapChange change;                     ///< Of an accepted sweep; else the version that stayed.
   MapCorrection correction;             ///< Of the sweeps before it.
+  Movement movement;                    ///< While it was taken, as far as it is known.
 };
 
 /// The mapper: sweeps in, in the order of their time, a map out. A refused sweep changes no product.
@@ -75,7 +77,7 @@ class Mapper {
  private:
   SweepResult place(const Sweep& sweep, StageListener* stages);
   SweepResult place_first(const Sweep& sweep, PlacedSweep placed);
-  SweepResult place_among(PlacedSweep placed, StageListener* stages);
+  SweepResult place_among(const Sweep& sweep, PlacedSweep placed, StageListener* stages);
   MapCorrection correction() const;
   MapChange remake(StageListener* stages);
 

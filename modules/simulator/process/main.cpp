@@ -123,10 +123,11 @@ void live(RobotInWorld& robot, LcmBus& bus, double speed) {
   Console console;
   std::string obstacle;
   for (SteadyTime truth_due = began; !asked_to_end();) {
+    robot.wait(1);
     const SteadyTime now = steady_now();
     const Utime clock = std::llround(static_cast<double>(now - began) * speed);
     hear_faults(console, robot, clock);
-    robot.run(clock, 1);
+    robot.run(clock);
     for (const std::string& line : robot.take_news()) spdlog::info("fault {}", line);
     if (robot.obstacle() != obstacle) {
       obstacle = robot.obstacle();

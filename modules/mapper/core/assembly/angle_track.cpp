@@ -1,6 +1,9 @@
 #include "modules/mapper/core/assembly/angle_track.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "modules/mapper/core/assembly/delays.h"
 
 namespace scanway {
 
@@ -10,6 +13,7 @@ AngleTrack::AngleTrack(std::vector<PanTiltAngles> angles, Utime longest_gap_us)
   const auto same_time = [](const PanTiltAngles& a, const PanTiltAngles& b) { return a.utime == b.utime; };
   std::stable_sort(angles_.begin(), angles_.end(), earlier);
   angles_.erase(std::unique(angles_.begin(), angles_.end(), same_time), angles_.end());
+  angles_ = without_delays(std::move(angles_), longest_gap_us_);
 }
 
 std::optional<PanTiltAngles> AngleTrack::at(double after_us) const {

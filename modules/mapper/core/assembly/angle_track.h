@@ -7,7 +7,7 @@
 
 namespace scanway {
 
-/// The angles of the pan-tilt at any time, from those that it told.
+/// The angles of the pan-tilt at any time, from those that it told: of an even turn without their delays.
 class AngleTrack {
  public:
   /// `angles` in any order; of two with the same time the first counts. Between two that are farther apart than

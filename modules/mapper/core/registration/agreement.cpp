@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "modules/mapper/core/registration/eigen3.h"
-
 namespace scanway::registration {
 namespace {
 
@@ -13,6 +11,8 @@ constexpr float kSurfaceDistance = 0.6f;  // between the centres of like surface
 constexpr float kPlaneDistance = 0.12f;   // of one centre from the other's plane
 constexpr float kTightDistance = 0.05f;   // the same, of surfaces that are registered to the centimetre
 constexpr float kMinNormalCosine = 0.9f;
+constexpr double kFacing = 0.25;           // squared cosine of 60 degrees
+constexpr std::size_t kGapSamples = 6000;  // points a side
 
 /// One direction: `from` seen by `to`.
 struct OneWay {
@@ -59,17 +59,31 @@ struct View {
     return visible > 0.0 ? met / visible : 0.0;
   }
 
-  double held_fit(const Eigen::Matrix3f& axes) const {
+  Hold hold(const Eigen::Matrix3f& axes) const {
     Eigen::Vector3d met = Eigen::Vector3d::Zero(), visible = Eigen::Vector3d::Constant(1e-9);
+    Hold result;
     for (std::size_t i = 0; i < from.surfaces.count(); ++i) {
       const Eigen::Vector3f p = R * from.surfaces.centre[i] + t, n = R * from.surfaces.normal[i];
       const Eigen::Vector3d hold = (axes.transpose() * n).cwiseAbs2().cast<double>();
       const RangeImage::Sight sight = to.image.look(p);
       if (sight != RangeImage::Sight::free && sight != RangeImage::Sight::surface) continue;
       visible += hold;
-      if (meets_like_surface(p, n, kTightDistance)) met += hold;
+      if (!meets_like_surface(p, n, kTightDistance)) continue;
+      met += hold;
+      result.facing += (hold.array() > kFacing).cast<double>().matrix();
     }
-    return met.cwiseQuotient(visible).minCoeff();
+    result.fit = met.cwiseQuotient(visible).minCoeff();
+    return result;
+  }
+
+  double gap() const {
+    const Points& points = from.fine.points();
+    const std::size_t stride = std::max<std::size_t>(1, points.size() / kGapSamples);
+    double sum = 0.0, count = 0.0;
+    for (std::size_t i = stride / 2; i < points.size(); i += stride, count += 1.0) {
+      sum += std::sqrt(to.fine.nearest(R * points[i] + t, kOverlapDistance).squared_distance);
+    }
+    return count > 0.0 ? sum / count : 0.0;
   }
 
   bool meets_like_surface(const Eigen::Vector3f& p, const Eigen::Vector3f& n, float plane_distance) const {
@@ -103,12 +117,16 @@ Agreement assess(const PreparedScan::Data& source, const PreparedScan::Data& tar
   return agreement;
 }
 
-double held_fit(const PreparedScan::Data& source, const PreparedScan::Data& target, const IcpResult& icp) {
-  const Eigen3 known = symmetric_eigen(icp.plain_information.bottomRightCorner<3, 3>());
-  const Eigen::Matrix3f axes = known.vectors.cast<float>();
-  const Pose back = icp.T_target_source.inverse();
-  return std::min(view(source, target, icp.T_target_source).held_fit(axes),
-                  view(target, source, back).held_fit(back.linear().cast<float>() * axes));
+Hold hold_of(const PreparedScan::Data& source, const PreparedScan::Data& target, const Pose& T_target_source,
+             const Eigen::Matrix3d& axes) {
+  const Pose T_source_target = T_target_source.inverse();
+  const Hold there = view(source, target, T_target_source).hold(axes.cast<float>());
+  const Hold back = view(target, source, T_source_target).hold((T_source_target.linear() * axes).cast<float>());
+  return {std::min(there.fit, back.fit), there.facing.cwiseMin(back.facing)};
+}
+
+double mean_gap(const PreparedScan::Data& source, const PreparedScan::Data& target, const Pose& T_target_source) {
+  return 0.5 * (view(source, target, T_target_source).gap() + view(target, source, T_target_source.inverse()).gap());
 }
 
 }  // namespace scanway::registration

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "modules/mapper/core/registration/icp.h"
+#include "common/geometry/pose.h"
 #include "modules/mapper/core/registration/prepared_scan.h"
 
 namespace scanway::registration {
@@ -17,9 +17,20 @@ struct Agreement {
 Agreement assess(const PreparedScan::Data& source, const PreparedScan::Data& target, const Pose& T_target_source,
                  std::size_t samples);
 
-/// Of the source's surfaces in the target's view, the share that lies within a few centimetres of a like one, each
-/// counted by how much it would hold a shift along an axis; the worst of the three axes of the ICP's knowledge. A pose
-/// that the ground alone supports, while walls miss each other, has none of it.
-double held_fit(const PreparedScan::Data& source, const PreparedScan::Data& target, const IcpResult& icp);
+/// How the surfaces in common hold a shift along each of three axes.
+struct Hold {
+  /// Of the surfaces in the other's view, the share that lies within a few centimetres of a like one, each counted by
+  /// how much it would hold a shift along an axis; of axes and directions the worst. A pose that the ground alone
+  /// supports, while walls miss each other, has none of it.
+  double fit = 0.0;
+  /// Of the surfaces that do so, how many face along each axis, within 60 degrees; the lesser direction. The noise of
+  /// normals adds up to information along a corridor, but it turns no wall to face that way.
+  Eigen::Vector3d facing = Eigen::Vector3d::Zero();
+};
+Hold hold_of(const PreparedScan::Data& source, const PreparedScan::Data& target, const Pose& T_target_source,
+             const Eigen::Matrix3d& axes);
+
+/// Mean distance of some points of either scan to the nearest of the other, of which none counts more than 0.3 m.
+double mean_gap(const PreparedScan::Data& source, const PreparedScan::Data& target, const Pose& T_target_source);
 
 }  // namespace scanway::registration

@@ -8,6 +8,7 @@ namespace {
 // The last ICP is run from several candidates while their coarse ranks (log-odds) are near enough to swap.
 constexpr std::size_t kFinalists = 3;
 constexpr double kSwappable = 4.0;
+constexpr double kSmallStep = 0.02;  // metres: below, the spacing of the points decides how close clouds lie
 
 /// From between the sensors' centres to between the scans' frames.
 Pose to_scan_frames(const Pose& T, const PreparedScan::Data& source, const PreparedScan::Data& target) {
@@ -37,6 +38,22 @@ double margin_of(const Candidate& best, const std::vector<Finalist>& finalists,
   return margin_to_others(best, rivals);
 }
 
+/// The last step. Where it is a large one, the clouds must lie closer for it, or the ICP's pose stays; half of what the
+/// two disagree by is then one more deviation.
+LastStep settle(const PreparedScan::Data& source, const PreparedScan::Data& target, const Pose& T_target_source) {
+  LastStep last = take_last_step(source, target, T_target_source);
+  if (last.moved_m < kSmallStep) return last;
+  if (mean_gap(source, target, last.T_target_source) <= mean_gap(source, target, T_target_source)) return last;
+  const Eigen::Matrix3d turned = last.T_target_source.linear() * T_target_source.linear().transpose();
+  Vector6 half;
+  half << log_so3(turned), last.T_target_source.translation() - T_target_source.translation();
+  half *= 0.5;
+  last.covariance += half * half.transpose();
+  last.doubt += half * half.transpose();
+  last.T_target_source = T_target_source;
+  return last;
+}
+
 /// The best of the candidates; nothing without a candidate.
 std::optional<Conclusion> conclude(const std::vector<Candidate>& candidates, const PreparedScan::Data& source,
                                    const PreparedScan::Data& target, StageListener* stages) {
@@ -48,13 +65,18 @@ std::optional<Conclusion> conclude(const std::vector<Candidate>& candidates, con
       *std::max_element(finalists.begin(), finalists.end(), [](const Finalist& a, const Finalist& b) {
         return rank_of(a.candidate.evidence) < rank_of(b.candidate.evidence);
       });
-  const LastStep last = take_last_step(source, target, best.icp.T_target_source);
-  Conclusion conclusion{best.icp, last, best.candidate.evidence};
+  const LastStep last = settle(source, target, best.icp.T_target_source);
+  const Observability observability = observe(best.icp);
+  const Hold hold = hold_of(source, target, best.icp.T_target_source, observability.translation.vectors);
+  Conclusion conclusion{best.icp, last, best.candidate.evidence, hold.facing,
+                        open_directions(observability, hold.facing)};
   Evidence& evidence = conclusion.evidence;
   evidence.margin = margin_of(best.candidate, finalists, candidates);
-  evidence.held_fit = held_fit(source, target, best.icp);
-  evidence.sigma_m = last.sigma_m();
-  evidence.sigma_rad = last.sigma_rad();
+  evidence.held_fit = hold.fit;
+  evidence.sigma_m = sigma_m(last.covariance);
+  evidence.sigma_rad = sigma_rad(last.covariance);
+  evidence.doubt_m = sigma_m(last.doubt);
+  evidence.doubt_rad = sigma_rad(last.doubt);
   evidence.moved_m = last.moved_m;
   return conclusion;
 }
@@ -67,7 +89,8 @@ RegistrationResult result_of(const Conclusion& conclusion, const PreparedScan::D
   result.inlier_rmse_m = conclusion.last.rmse_m;
   result.covariance = conclusion.last.covariance;
   result.overlap = conclusion.evidence.agreement.overlap;
-  decide(conclusion.evidence, observe(conclusion.icp), result);
+  result.open_directions = conclusion.open_directions;
+  decide(conclusion.evidence, result);
   return result;
 }
 

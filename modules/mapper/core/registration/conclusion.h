@@ -12,6 +12,8 @@ struct Conclusion {
   IcpResult icp;
   LastStep last;
   Evidence evidence;
+  Eigen::Vector3d facing = Eigen::Vector3d::Zero();  ///< See Hold, along the axes that are known from least to best.
+  std::vector<std::string> open_directions;
 };
 
 struct Attempt {

@@ -13,7 +13,7 @@
 namespace scanway::registration {
 namespace {
 
-constexpr std::size_t kBlock = 256, kParts = 16, kMinMatches = 24;
+constexpr std::size_t kBlock = 256, kParts = 16, kMinMatches = 12;
 constexpr float kPart = 4.0f;          // metres: larger than most things, smaller than most scenes
 constexpr float kRadius = 0.6f;        // of a plane, in edges of the source's cell
 constexpr double kMinPoints = 6.0;     // of a plane
@@ -90,11 +90,12 @@ std::vector<PlaneMatch> match_all(const Surfaces& surfaces, const CellGrid& targ
 struct Normal {
   Matrix6 A = Matrix6::Zero();
   Vector6 b = Vector6::Zero();
+  Vector6 overruled = Vector6::Zero();  ///< As b, but by a kernel that only limits what contradicts.
   double weight = 0.0, squares = 0.0;
   std::size_t count = 0;
 
   Normal& operator+=(const Normal& other) {
-    A += other.A, b += other.b;
+    A += other.A, b += other.b, overruled += other.overruled;
     weight += other.weight, squares += other.squares, count += other.count;
     return *this;
   }
@@ -117,6 +118,7 @@ void add(const PlaneMatch& m, const Pose& T, Normal& sums) {
   J << lever.cross(normal), normal;
   sums.A += weight * J * J.transpose();
   sums.b -= weight * residual * J;
+  sums.overruled -= m.information * std::clamp(residual, -kKernel, kKernel) * J;
   sums.weight += weight;
   sums.squares += weight * residual * residual;
   ++sums.count;
@@ -158,14 +160,22 @@ Matrix6 inverse_of(const Matrix6& information) {
   return damped.inverse();
 }
 
+/// The sandwich of an M-estimator (Huber, Robust Statistics, 1981, chapter 6), the parts of the scene being the
+/// samples.
+Matrix6 sandwich(const Parts& parts, const Matrix6& covariance) {
+  Matrix6 scatter = Matrix6::Zero();
+  for (const Normal& part : parts) scatter += part.overruled * part.overruled.transpose();
+  return covariance * scatter * covariance;
+}
+
 double largest_sigma(const Eigen::Matrix3d& covariance) {
   return std::sqrt(std::max(0.0, symmetric_eigen(covariance).values[2]));
 }
 
 }  // namespace
 
-double LastStep::sigma_m() const { return largest_sigma(covariance.bottomRightCorner<3, 3>()); }
-double LastStep::sigma_rad() const { return largest_sigma(covariance.topLeftCorner<3, 3>()); }
+double sigma_m(const Matrix6& covariance) { return largest_sigma(covariance.bottomRightCorner<3, 3>()); }
+double sigma_rad(const Matrix6& covariance) { return largest_sigma(covariance.topLeftCorner<3, 3>()); }
 
 LastStep take_last_step(const PreparedScan::Data& source, const PreparedScan::Data& target,
                         const Pose& T_target_source) {
@@ -184,7 +194,9 @@ LastStep take_last_step(const PreparedScan::Data& source, const PreparedScan::Da
     parts = linearise(matches, last.T_target_source);
   }
   const Normal total = total_of(parts);
-  last.covariance = jackknife(parts) + inverse_of(total.A);
+  const Matrix6 inverse = inverse_of(total.A);
+  last.covariance = jackknife(parts) + inverse;
+  last.doubt = sandwich(parts, inverse) + inverse;
   last.matches = total.count;
   last.rmse_m = std::sqrt(total.squares / total.weight);
   last.moved_m = (last.T_target_source.translation() - T_target_source.translation()).norm();

@@ -11,13 +11,16 @@ struct LastStep {
   /// Of [rotation vector, translation] as in IcpResult: what the planes' own scatter gives, and the jackknife over
   /// parts of the scene on top of it. Parts that contradict each other make it large.
   Matrix6 covariance = Matrix6::Identity();
+  /// The same by all matches, also those that the robust kernel overruled: far larger where they speak with one voice.
+  Matrix6 doubt = Matrix6::Identity();
   double rmse_m = 0.0;  ///< Of the distances of the source's surfaces from the target's planes, weighted.
   std::size_t matches = 0;
   double moved_m = 0.0;  ///< From the pose that it began at.
-
-  double sigma_m() const;  ///< Deviation of the translation in its least known direction.
-  double sigma_rad() const;
 };
+
+/// Deviation of the translation in its least known direction, and of the rotation.
+double sigma_m(const Matrix6& covariance);
+double sigma_rad(const Matrix6& covariance);
 
 /// From a pose that is right to some centimetres: every chosen surface of the source against the plane through the
 /// target's points (0.1 m voxels) within the same distance of the same place. Both are then means over the same piece

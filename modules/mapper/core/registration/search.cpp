@@ -86,7 +86,7 @@ Evidence evidence_of(const PreparedScan::Data& source, const PreparedScan::Data&
   Evidence evidence;
   evidence.agreement = assess(source, target, icp.T_target_source, kFineSamples);
   evidence.rmse_m = icp.rmse_m;
-  evidence.observability = observe(icp).weakest;
+  evidence.observability = observe(icp).weakest();
   return evidence;
 }
 

@@ -15,6 +15,7 @@ namespace {
 constexpr double kAcceptedProbability = 0.85;
 constexpr double kOpenProbability = 0.3;  // with an open direction: the share that was right all the same
 constexpr double kOpenShare = 0.010;      // of the information: the noise of normals alone gives up to 0.009
+constexpr double kMinFacing = 8.0;        // surfaces that face a direction: what little is known of it is then no noise
 constexpr double kOpenLever = 0.4;    // metres: at this lever surfaces that are 3 mm off turn the scan by 0.4 degrees
 constexpr double kMinOverlap = 0.22;  // below, too little of either scan bears the answer
 
@@ -73,28 +74,29 @@ double probability_right(const Evidence& e) {
 }
 
 Observability observe(const IcpResult& icp) {
-  Observability result;
-  if (!(icp.plain_weight > 0.0)) return result;
+  if (!(icp.plain_weight > 0.0))
+    return {symmetric_eigen(Eigen::Matrix3d::Zero()), symmetric_eigen(Eigen::Matrix3d::Zero())};
   const Matrix6 share = icp.plain_information / icp.plain_weight;
   const Eigen::Matrix3d rr = share.topLeftCorner<3, 3>();
   const Eigen::Matrix3d tt = share.bottomRightCorner<3, 3>();
   const Eigen::Matrix3d rt = share.topRightCorner<3, 3>();
-  const Eigen3 translation = symmetric_eigen(marginal(tt, rt.transpose(), rr));
-  const Eigen3 rotation = symmetric_eigen(marginal(rr, rt, tt));
-  result.weakest = std::max(0.0, translation.values[0]);
-  for (int k = 0; k < 3; ++k) {
-    if (translation.values[k] < kOpenShare) {
-      result.open_directions.push_back(translation_name(translation.vectors.col(k)));
-    }
-    if (rotation.values[k] < kOpenLever * kOpenLever)
-      result.open_directions.push_back(rotation_name(rotation.vectors.col(k)));
-  }
-  return result;
+  return {symmetric_eigen(marginal(tt, rt.transpose(), rr)), symmetric_eigen(marginal(rr, rt, tt))};
 }
 
-void decide(const Evidence& evidence, const Observability& observability, RegistrationResult& result) {
+std::vector<std::string> open_directions(const Observability& observability, const Eigen::Vector3d& facing) {
+  std::vector<std::string> open;
+  const auto& [translation, rotation] = observability;
+  for (int k = 0; k < 3; ++k) {
+    if (translation.values[k] < kOpenShare && facing[k] < kMinFacing) {
+      open.push_back(translation_name(translation.vectors.col(k)));
+    }
+    if (rotation.values[k] < kOpenLever * kOpenLever) open.push_back(rotation_name(rotation.vectors.col(k)));
+  }
+  return open;
+}
+
+void decide(const Evidence& evidence, RegistrationResult& result) {
   result.probability = probability_right(evidence);
-  result.open_directions = observability.open_directions;
   const Agreement& a = evidence.agreement;
   const std::string figures = format("%.0f %% overlap, %.1f %% of the points where the other scan saw through",
                                      100.0 * a.overlap, 100.0 * a.conflict);

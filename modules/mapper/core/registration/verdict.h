@@ -1,9 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
 #include "modules/mapper/core/registration/agreement.h"
+#include "modules/mapper/core/registration/eigen3.h"
 #include "modules/mapper/core/registration/icp.h"
 
 namespace scanway::registration {
@@ -16,9 +18,11 @@ struct Evidence {
   double rmse_m = 0.0;
   bool tracked = false;        ///< Whether a tracker's orientation bounded the search.
   double margin = kMaxMargin;  ///< Rank less that of the second-best distinct pose.
-  double held_fit = 0.0;       ///< Surface fit of the direction that is held worst: see held_fit().
+  double held_fit = 0.0;       ///< See Hold.
   double sigma_m = 1.0;        ///< Of the translation and the rotation, by the last step.
   double sigma_rad = 0.1;
+  double doubt_m = 1.0;  ///< The same by what the parts of the scene that the robust kernel overruled say.
+  double doubt_rad = 0.1;
   double moved_m = 1.0;        ///< By the last step: two estimators that agree are seldom both wrong.
   double observability = 0.0;  ///< Of the least constrained direction: its share of the information, 1/3 at best.
 };
@@ -30,14 +34,19 @@ double rank_of(const Evidence& evidence);
 /// look alike, by how well the scans agree there and elsewhere, times that it is precise enough, by the last step.
 double probability_right(const Evidence& evidence);
 
-/// Which motions the matched surfaces leave open.
+/// What the matched surfaces know of each motion while all others are free.
 struct Observability {
-  double weakest = 0.0;  ///< Smallest share of the information over the directions of translation; 1/3 at best.
-  std::vector<std::string> open_directions;
+  Eigen3 translation;  ///< Axes, and each one's share of the information: 1/3 of all at best.
+  Eigen3 rotation;     ///< Axes, and each one's squared lever in metres.
+  double weakest() const { return std::max(0.0, translation.values[0]); }
 };
 Observability observe(const IcpResult& icp);
 
-/// Accepted or refused, and one sentence why.
-void decide(const Evidence& evidence, const Observability& observability, RegistrationResult& result);
+/// The motions that the scene leaves open, by name: of which little is known, and what is known may be noise.
+/// `facing`: see Hold, along the axes of translation.
+std::vector<std::string> open_directions(const Observability& observability, const Eigen::Vector3d& facing);
+
+/// Accepted or refused, and one sentence why; by `result.open_directions`, too.
+void decide(const Evidence& evidence, RegistrationResult& result);
 
 }  // namespace scanway::registration

@@ -63,7 +63,7 @@ void PanTiltModule::tick(Utime now) {
   }
   if (state_period_ > 0 && now >= next_state_) {
     tell_state(now);
-    next_state_ = std::max(next_state_ + state_period_, now - state_period_);
+    next_state_ = std::max(next_state_ + state_period_, now + 1);  // What it had no time to tell it never tells.
   }
 }
 

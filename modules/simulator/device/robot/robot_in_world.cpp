@@ -57,9 +57,9 @@ void RobotInWorld::tell_host_time(double speed) {
   tracker_.tell_host_time(speed);
 }
 
-void RobotInWorld::run(Utime now, int wait_ms) {
+void RobotInWorld::run(Utime now) {
   begin_faults(now);
-  run_pan_tilt(now, wait_ms);
+  run_pan_tilt(now);
   run_base(now);
   follow_wheels();
   run_lms(now);
@@ -78,10 +78,9 @@ void RobotInWorld::run_lms(Utime now) {
   for (const std::string& frame : lms_.tick(clock)) lms_end_.say(lms_loss_.pass(frame));
 }
 
-void RobotInWorld::run_pan_tilt(Utime now, int wait_ms) {
-  for (int i = 0; i < kMostFramesATurn; ++i) {
-    const auto received = can_->receive(i == 0 ? wait_ms : 0);
-    if (!received) break;
+void RobotInWorld::run_pan_tilt(Utime now) {
+  auto received = std::exchange(heard_, std::nullopt);
+  for (int i = 0; i < kMostFramesATurn && received; ++i, received = can_->receive(0)) {
     if (!received->frame) continue;
     pan_.receive(*received->frame, now);
     tilt_.receive(*received->frame, now);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -45,8 +46,11 @@ class RobotInWorld {
   /// Faults that have come or gone since the last call, a line each.
   std::vector<std::string> take_news() { return std::exchange(news_, {}); }
 
-  /// Hears what came for the devices, lets them do what is due, waits at most `wait_ms` for the bus.
-  void run(Utime now, int wait_ms);
+  /// Waits at most that long for a frame on the bus.
+  void wait(int wait_ms) { heard_ = can_->receive(wait_ms); }
+  /// Hears what came for the devices, lets them do what is due. What they say now they say of `now`: that is to be the
+  /// time, to the millisecond of the fastest of them, so no waiting between the two.
+  void run(Utime now);
 
   /// The truth.
   const Pose& X_world_base() const { return driven_.X_world_base(); }
@@ -58,7 +62,7 @@ class RobotInWorld {
 
  private:
   void run_lms(Utime now);
-  void run_pan_tilt(Utime now, int wait_ms);
+  void run_pan_tilt(Utime now);
   void run_tracker(Utime now);
   void run_base(Utime now);
   void follow_wheels();
@@ -93,6 +97,7 @@ class RobotInWorld {
   ByteLoss lms_loss_, tracker_loss_, base_loss_;
   TcpEnd lms_end_;
   std::unique_ptr<CanLink> can_;
+  std::optional<CanLink::Received> heard_;  // While it waited.
   TerminalEnd tracker_end_, base_end_;
 };
 

@@ -19,9 +19,7 @@
 namespace scanway::bench {
 namespace {
 
-double wall_s() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+double wall_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 double peak_mb() {
   rusage usage{};
@@ -84,11 +82,12 @@ void run_whole_pair(const std::string& folder, int threads) {
   const RegistrationResult result = register_scans(source.scan, target.scan, prior, {});
   const double wall_taken = wall_s() - wall, cpu_taken = cpu_s() - cpu;
   const double input_mb = source.cloud_mb + target.cloud_mb;
-  std::printf("%d threads: wall %.2f s, CPU %.2f s, peak %.0f MB, of it %.0f MB clouds and %.0f MB the program: %.0f MB "
-              "above the input; %s, p %.3f, %.2f mm\n",
-              threads, wall_taken, cpu_taken, peak_mb(), input_mb, program_mb, peak_mb() - input_mb - program_mb,
-              result.verdict == Verdict::accepted ? "accepted" : "refused", result.probability,
-              1000.0 * error_of(result.T_target_source, truth).metres);
+  std::printf(
+      "%d threads: wall %.2f s, CPU %.2f s, peak %.0f MB, of it %.0f MB clouds and %.0f MB the program: %.0f MB "
+      "above the input; %s, p %.3f, %.2f mm\n",
+      threads, wall_taken, cpu_taken, peak_mb(), input_mb, program_mb, peak_mb() - input_mb - program_mb,
+      result.verdict == Verdict::accepted ? "accepted" : "refused", result.probability,
+      1000.0 * error_of(result.T_target_source, truth).metres);
 }
 
 }  // namespace scanway::bench

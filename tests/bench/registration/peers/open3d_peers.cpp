@@ -56,8 +56,8 @@ PeerAnswer open3d_fgr(const PointCloud& source, const PointCloud& target) {
   o3d::FastGlobalRegistrationOption option;
   option.use_absolute_scale_ = true;
   option.maximum_correspondence_distance_ = kCorrespondence;
-  const auto result = o3d::FastGlobalRegistrationBasedOnFeatureMatching(from.cloud, to.cloud, *from.features,
-                                                                        *to.features, option);
+  const auto result =
+      o3d::FastGlobalRegistrationBasedOnFeatureMatching(from.cloud, to.cloud, *from.features, *to.features, option);
   return answer("Open3D FPFH + FGR", result.transformation_, begin);
 }
 

@@ -34,8 +34,13 @@ Case hall_case(const std::string& data) {
   RealSet set = load_set(data, "hall_scans_a");
   Random random(1);
   const Pose truth = set.T_target_source(1, 0);
-  return {"real halls",        std::move(set.clouds[1]), std::move(set.clouds[0]), Eigen::Vector3d::Zero(),
-          Eigen::Vector3d::Zero(), truth,                disturbed_prior(truth, 5.0, 0.5, random)};
+  return {"real halls",
+          std::move(set.clouds[1]),
+          std::move(set.clouds[0]),
+          Eigen::Vector3d::Zero(),
+          Eigen::Vector3d::Zero(),
+          truth,
+          disturbed_prior(truth, 5.0, 0.5, random)};
 }
 
 Case yard_case(double distance_m, int thin) {
@@ -64,8 +69,8 @@ PeerAnswer our_coarse(const Case& c, bool tracked) {
   const PreparedScan target = PreparedScan::make(c.target, c.target_origin, {});
   std::optional<registration::RotationBounds> bounds;
   if (tracked) bounds = registration::bounds_of(c.prior);
-  const auto candidates = registration::find_candidates(source.data(), target.data(), bounds,
-                                                        registration::SearchWidth::mutual, nullptr);
+  const auto candidates =
+      registration::find_candidates(source.data(), target.data(), bounds, registration::SearchWidth::mutual, nullptr);
   PeerAnswer answer{tracked ? "Scanway, with the tracker" : "Scanway, without", Pose::Identity(), cpu_s() - begin};
   if (!candidates.empty()) answer.T_target_source = between_scans(c, candidates.front().T_target_source);
   return answer;

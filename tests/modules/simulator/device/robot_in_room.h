@@ -26,7 +26,8 @@ class RobotInRoom : public testing::Test {
   template <class Done>
   bool run_until(const Done& done) {
     for (const Utime limit = steady_now() + 20 * kMicrosecondsPerSecond; steady_now() < limit;) {
-      simulated.run(std::llround(static_cast<double>(now()) * speed), 1);
+      simulated.wait(1);
+      simulated.run(std::llround(static_cast<double>(now()) * speed));
       step_bridges();
       if (done()) return true;
     }

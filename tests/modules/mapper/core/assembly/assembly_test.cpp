@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include "common/random/random.h"
 #include "tests/modules/simulator/core/test_worlds.h"
 
 namespace scanway {
@@ -110,6 +111,29 @@ TEST(Assembly, WallsAreAsThickAsTheNoiseMakesThem) {
     std::printf("pan %.0f deg/s: walls %.2f mm, by noise %.2f mm, without the mirror's turn %.2f mm\n", speed_deg_s,
                 1e3 * right.measured_m, 1e3 * right.by_noise_m, 1e3 * wrong.measured_m);
   }
+}
+
+/// As if the machine were busy: each state comes after the one before it, and late by an exponential time.
+void delay(std::vector<PanTiltAngles>& angles, double mean_us) {
+  Random random(9);
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    angles[i].utime += std::llround(-mean_us * std::log(1.0 - random.uniform()));
+    if (i > 0) angles[i].utime = std::max(angles[i].utime, angles[i - 1].utime + 50);
+  }
+}
+
+TEST(Assembly, WallsAreNoThickerForStatesThatComeLate) {
+  const Room room = big_room();
+  Robot robot = simulator::simulated_robot();
+  robot.pan.speed_rad_s = radians(12);
+  const Pose X = simulator::test::tilted_pose(-2, 1, 0.02, 0.6);
+  SweepConfig config;
+  config.thin = 3;
+  const RawSweep raw = simulate_lines(room.world(), robot, X, config);
+  AssemblyInput input = input_of(raw, robot, X);
+  delay(input.angles, 5'000.0);  // 0.06 degrees of this pan, 1.5 cm of a wall 15 m away.
+  const Thickness walls = thickness_of(assemble(input, robot).sweep, X, room, robot);
+  EXPECT_NEAR(walls.measured_m / walls.by_noise_m, 1.0, 0.1);
 }
 
 /// A small sweep to break things in.

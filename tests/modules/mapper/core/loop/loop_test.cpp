@@ -56,7 +56,9 @@ TEST_P(Loop, EndsWhereItIs) {
   const auto& placed = round.mapper.graph().sweeps();
   ASSERT_EQ(placed.size(), round.truth.size());
   EXPECT_LT(error_m(round, placed.size() - 1), 0.02);
-  for (std::size_t i = 1; i + 1 < placed.size(); ++i) RecordProperty("error_m_" + std::to_string(i), error_m(round, i));
+  for (std::size_t i = 1; i < placed.size(); ++i) {
+    RecordProperty("error_mm_" + std::to_string(i), static_cast<int>(1000.0 * error_m(round, i)));
+  }
 }
 
 /// How an edge may be wrong: a bay's width along, half a metre aside, a few degrees about.

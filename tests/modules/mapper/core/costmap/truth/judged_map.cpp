@@ -1,0 +1,68 @@
+#include "tests/modules/mapper/core/costmap/truth/judged_map.h"
+
+#include "modules/mapper/core/costmap/evidence_history.h"
+#include "modules/mapper/core/costmap/look.h"
+
+namespace scanway::testing {
+namespace {
+
+using namespace simulator;
+
+constexpr double kMargin = 12.0;  // metres around the places: what is further away, few beams reach
+
+Rectangle around(const WorldSweeps& taken) {
+  Rectangle part{taken.world.extent.high, taken.world.extent.low};
+  for (const SimulatedSweep& sweep : taken.sweeps) {
+    const Eigen::Vector2d at = sweep.X_world_base.translation().head<2>();
+    part.low = part.low.cwiseMin(Eigen::Vector2d(at.array() - kMargin));
+    part.high = part.high.cwiseMax(Eigen::Vector2d(at.array() + kMargin));
+  }
+  return {part.low.cwiseMax(taken.world.extent.low), part.high.cwiseMin(taken.world.extent.high)};
+}
+
+/// The map begins where the first sweep was taken, level, ahead of it.
+Pose first_place(const Pose& X_world_base) {
+  Pose X = Pose::Identity();
+  X.linear() = rotation_about_z(heading_of(X_world_base.linear()));
+  X.translation() = X_world_base.translation();
+  return X.inverse();
+}
+
+}  // namespace
+
+WorldSweeps take_sweeps(const std::string& name, std::uint64_t seed, const SweepPlan& plan) {
+  WorldSweeps taken{make_world(name, seed), {}};
+  SweepConfig config;
+  config.thin = plan.thin;
+  config.seed = seed * 100;
+  for (const Place& place : places_on_route(taken.world, plan.sweeps, plan.spacing_m, 1.0)) {
+    ++config.seed;
+    taken.sweeps.push_back(simulate_sweep(taken.world, place, simulated_robot(), config));
+  }
+  return taken;
+}
+
+JudgedMap judge(const WorldSweeps& taken) {
+  const Robot robot = simulated_robot();
+  JudgedMap judged;
+  judged.X_map_world = first_place(taken.sweeps.front().X_world_base);
+  EvidenceHistory evidence;
+  SweepNumber number = 0;
+  judged.map.resolution_m = robot.mapping.cost_map_resolution_m;
+  std::vector<tools::TrueSweep> truths;
+  for (const SimulatedSweep& sweep : taken.sweeps) {
+    const Pose X_map_base = judged.X_map_world * sweep.X_world_base;
+    const MapPoints points =
+        points_in_map(sweep.sweep, X_map_base, robot.laser.min_range_m, robot.laser.max_range_m);
+    evidence.put(judged.map, number++, look(points, sweep.sweep, X_map_base, robot, 1).evidence);
+    truths.push_back({&sweep.sweep, sweep.X_world_base});
+  }
+  judged.truth = make_truth(taken.world, robot.body, judged.map.resolution_m, around(taken));
+  const CellWindow window{judged.truth.resolution_m, judged.truth.low.x, judged.truth.low.y,
+                          judged.truth.low.x + judged.truth.width, judged.truth.low.y + judged.truth.height};
+  judged.seen = seen_ground(taken.world, robot, truths, window);
+  judged.counts = compare(judged.map, judged.X_map_world, judged.truth, judged.seen);
+  return judged;
+}
+
+}  // namespace scanway::testing
