@@ -32,6 +32,8 @@ inline constexpr Channel kRegistration{"REGISTRATION", "scanway.registration_t",
 inline constexpr Channel kPose{"POSE", "bot_core.pose_t", false};
 inline constexpr Channel kCloudTile{"CLOUD_TILE", "scanway.cloud_tile_t", true};
 inline constexpr Channel kOctomap{"OCTOMAP", "scanway.octomap_t", true};
+inline constexpr Channel kMapCommand{"MAP_COMMAND", "scanway.map_command_t", false};
+inline constexpr Channel kMapAnswer{"MAP_ANSWER", "scanway.map_answer_t", false};
 inline constexpr Channel kMapRequest{"MAP_REQUEST", "scanway.map_request_t", false};
 inline constexpr Channel kCloudLevel{"CLOUD_LEVEL", "scanway.cloud_tile_t", true};
 inline constexpr Channel kOctomapLevel{"OCTOMAP_LEVEL", "scanway.octomap_t", true};
@@ -64,8 +66,8 @@ inline constexpr Channel kChannels[] = {
     channel::kLaserScan,      channel::kLaserRaw,      channel::kLineRequest,
     channel::kPanTiltCommand, channel::kBaseCommand,   channel::kObjectIndex,
     channel::kPieceRequest,   channel::kHealth,        channel::kTiming,
-    channel::kMapRequest,     channel::kCloudLevel,    channel::kOctomapLevel,
-    channel::kMapLevel,
+    channel::kMapCommand,     channel::kMapAnswer,     channel::kMapRequest,
+    channel::kCloudLevel,     channel::kOctomapLevel,  channel::kMapLevel,
 };
 
 /// The channel of that name, or nullptr.

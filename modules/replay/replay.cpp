@@ -24,7 +24,7 @@ namespace {
 /// What a robot measures and people ask for. All else in a log is derived from it.
 constexpr const Channel* kInputs[] = {&channel::kImu,       &channel::kPanTiltState,  &channel::kLaserLine,
                                       &channel::kSweepMark, &channel::kReferencePose, &channel::kSweep,
-                                      &channel::kGoal};
+                                      &channel::kGoal,      &channel::kMapCommand};
 /// The key of a live mapper's own PARAMS; an imported log's is kParamsKey.
 constexpr const char* kMapper = "mapper";
 /// The name that scanway-simulator gives to its robot's pose, which it says once a second.
@@ -94,12 +94,13 @@ LogStory story_of_log(const std::string& path) {
     raw.take(*event);
     try {
       if (event->channel == channel::kSweepInputs.name) note(decode<sweep_inputs_t>(event->bytes), story.orientations);
+      if (event->channel == channel::kMapAnswer.name) story.answers.push_back(decode<map_answer_t>(event->bytes));
       if (event->channel != channel::kParams.name) continue;
       const auto object = params.add(decode<piece_t>(event->bytes));
       if (!object || !known.insert(object->key).second || (story.robot && object->key != kMapper)) continue;
       story.robot = parse_robot(robot_yaml_of(decode<params_t>(object->bytes)), path + " (PARAMS)");
     } catch (const BadMessage& bad) {
-      if (event->channel == channel::kSweepInputs.name) continue;  // Of no use to anybody, and the sweeps are there.
+      if (event->channel != channel::kParams.name) continue;  // Of no use to anybody, and the sweeps are there.
       throw InputError(printable(path) + ": its configuration (PARAMS) cannot be read: " + bad.what() +
                        "; name a robot file with --robot");
     }
@@ -129,6 +130,7 @@ Replay::Replay(const Robot& robot, LogWriter& recording, LogStory story)
           bus_, robot, [this](SweepOrigin origin) { mapper_.expect(std::move(origin)); }, false),
       planner_(bus_, robot, &run_timer_) {
   mapper_.use(std::move(story.orientations));
+  mapper_.use(std::move(story.answers));
   bus_.subscribe(channel::kRegistration.name, [this](const BusMessage& message) { note_scan(message); });
   bus_.subscribe(channel::kReferencePose.name, [this](const BusMessage& message) { note_reference(message); });
 }
@@ -162,6 +164,7 @@ void Replay::begin(Utime utime) {
   bus_.begin(utime);
   publish_object(bus_, channel::kParams, encode(params_message(utime, robot_text(robot_))), kParamsKey, 1, utime);
   if (continued_) mapper_.resume(*continued_);
+  if (gone_on_with_ != nullptr) mapper_.restore(*gone_on_with_);
   bus_.dispatch();
 }
 

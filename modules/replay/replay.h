@@ -16,6 +16,7 @@
 #include "modules/planner/node/planner_node.h"
 #include "modules/replay/replay_bus.h"
 #include "modules/replay/report.h"
+#include "scanway/map_answer_t.hpp"
 #include "scanway/registration_t.hpp"
 
 namespace scanway {
@@ -25,9 +26,10 @@ using AssembledSweeps = std::set<std::pair<std::string, std::int64_t>>;
 
 /// What a log says of how it came about.
 struct LogStory {
-  std::optional<Robot> robot;       ///< The mapper's first PARAMS, or else the log's first; nothing if there is none.
-  ListedOrientations orientations;  ///< By SWEEP_INPUTS.
-  AssembledSweeps assembled;        ///< Whose lines and marks the log holds: they are made of these again.
+  std::optional<Robot> robot;         ///< The mapper's first PARAMS, or else the log's first; nothing if there is none.
+  ListedOrientations orientations;    ///< By SWEEP_INPUTS.
+  std::vector<map_answer_t> answers;  ///< What became of commands to the map.
+  AssembledSweeps assembled;          ///< Whose lines and marks the log holds: they are made of these again.
 };
 
 /// Throws InputError for a configuration that cannot be read.
@@ -43,6 +45,9 @@ class Replay {
 
   /// The log goes on with the map of another session. Before run().
   void resume(SweepStore map) { continued_ = std::move(map); }
+  /// The log goes on where the map of `store` ended, in the same session, and its sweeps are kept there too. `store`
+  /// must outlive this. Before run().
+  void go_on_with(const SweepStore& store) { gone_on_with_ = &store; }
   /// Keeps the sweeps of the map in `store`, which is empty and must outlive this. Before run().
   void keep_in(const SweepStore& store) { mapper_.keep_in(store); }
   /// Feeds the whole log. `progress` is told how far it is, from 0 to 1, now and then.
@@ -81,6 +86,7 @@ class Replay {
   ScanTimer scan_timer_;
   const AssembledSweeps assembled_;
   std::optional<SweepStore> continued_;
+  const SweepStore* gone_on_with_ = nullptr;
   MapperNode mapper_;
   SweepAssembler assembler_;
   PlannerNode planner_;

@@ -1,25 +1,18 @@
 #include "modules/mapper/core/map.h"
 
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "modules/mapper/core/costmap/embodiment.h"
 #include "modules/mapper/core/costmap/paper_projection.h"
-#include "modules/mapper/core/costmap/sweep_view.h"
-#include "modules/mapper/core/ground/ground_surface.h"
 
 namespace scanway {
 namespace {
 
-constexpr double kCostMapReach = 30.0;  // metres from a sensor: what is further away is not drawn at 1 cm
-
-GroundSurfaceConfig surface_config(const Robot& robot) {
-  return {robot.body.climbable_step_m, robot.body.climbable_slope, robot.laser.range_sigma_m, kCostMapReach};
-}
-
-SweepViewConfig view_config(const Robot& robot) {
-  return {robot.body.height_m, robot.body.climbable_step_m, robot.laser.range_sigma_m, robot.laser.divergence,
-          kCostMapReach};
+OccupancyTreeConfig tree_config(const Robot& robot) {
+  return {robot.mapping.octomap_resolution_m, robot.mapping.octomap_max_range_m, robot.mapping.octomap_discretize,
+          true};
 }
 
 Pose levelled(const Sweep& sweep) {
@@ -45,18 +38,19 @@ std::vector<Cell> differing_tiles(const CostMap& before, const CostMap& after) {
 
 }  // namespace
 
-Map::Map(const Robot& robot, std::uint64_t seed)
+Map::Map(const Robot& robot, std::uint64_t seed, MapStorage storage)
     : robot_(robot),
       seed_(seed),
-      cloud_(robot.mapping.cloud_voxel_m),
-      tree_({robot.mapping.octomap_resolution_m, robot.mapping.octomap_max_range_m, robot.mapping.octomap_discretize}) {
+      storage_(std::move(storage)),
+      cloud_(robot.mapping.cloud_voxel_m, storage_.bytes),
+      tree_(tree_config(robot), storage_.bytes) {
   cost_map_.resolution_m = robot.mapping.cost_map_resolution_m;
 }
 
 Pose Map::first_pose(const Sweep& sweep) const {
   Pose X_map_sweep = levelled(sweep);
-  const MapPoints points = points_in_map(sweep, X_map_sweep, robot_.laser.min_range_m, robot_.laser.max_range_m);
-  const GroundReport ground = find_ground(points, sweep);
+  const MapPoints points = points_of(sweep, X_map_sweep);
+  const GroundReport ground = find_ground(points, sweep.sensor_height_m, robot_, seed_);
   if (ground.plane) {
     X_map_sweep.translation().z() = -ground.plane->height_at(points.origin.x(), points.origin.y());
   } else if (sweep.sensor_height_m) {
@@ -65,86 +59,97 @@ Pose Map::first_pose(const Sweep& sweep) const {
   return X_map_sweep;
 }
 
-GroundReport Map::find_ground(const MapPoints& points, const Sweep& sweep) const {
-  GroundPlaneConfig config;
-  config.max_slope = robot_.body.climbable_slope;
-  config.inlier_m = robot_.body.climbable_step_m + robot_.laser.range_sigma_m;
-  config.seed = seed_;
-  GroundReport report;
-  if (sweep.sensor_height_m) config.sensor_height_m = *sweep.sensor_height_m;
-  report.plane = find_ground_plane(points, config);
-  if (report.plane) {
-    const Eigen::Vector3d& o = points.origin;
-    report.sensor_height_m = o.z() - report.plane->height_at(o.x(), o.y());
-    report.note = "ground found";
-  } else if (sweep.sensor_height_m) {
-    report.note = "no ground found where the sensor's height puts it";
-  } else {
-    report.note = "no ground found";
-  }
-  return report;
+MapPoints Map::points_of(const Sweep& sweep, const Pose& X_map_sweep) const {
+  return points_in_map(sweep, X_map_sweep, robot_.laser.min_range_m, robot_.laser.max_range_m);
 }
 
-MapChange Map::merge(const Sweep& sweep, const Pose& X_map_sweep, StageListener* stages) {
+MapChange Map::merge(const Sweep& sweep, const Pose& X_map_sweep, StageListener* stages,
+                     const std::vector<SweepMove>& moves) {
+  if (!moves.empty()) begin_stage(stages, "remake");
+  for (const SweepMove& move : moves) put_again(move);
+  tree_.settle();
+
   begin_stage(stages, "merge");
-  const MapPoints points = points_in_map(sweep, X_map_sweep, robot_.laser.min_range_m, robot_.laser.max_range_m);
-  origins_.push_back(points.origin);
-  cloud_.add(points);
+  const SweepNumber number = sweeps_++;
+  storage_.sweeps->keep(sweep);
+  const MapPoints points = points_of(sweep, X_map_sweep);
+  origins_.emplace(number, points.origin);
+  cloud_.put(number, points);
 
   begin_stage(stages, "octomap");
   tree_.insert(points);
 
-  const Projection projection = project(points, sweep, X_map_sweep, stages);
+  begin_stage(stages, "ground");
+  if (robot_.mapping.paper_projection) return close_version(project_by_paper(stages), stages);
+  const Look seen = look(points, sweep, X_map_sweep, robot_, seed_, stages);
+  return close_version({seen.ground, evidence_.put(cost_map_, number, seen.evidence)}, stages);
+}
 
+MapChange Map::move(const std::vector<SweepMove>& moves, StageListener* stages) {
+  begin_stage(stages, "remake");
+  for (const SweepMove& move : moves) put_again(move);
+  return settle(stages);
+}
+
+MapChange Map::withdraw(SweepNumber sweep, StageListener* stages) {
+  if (!holds(sweep)) throw std::logic_error("Map: no such sweep");
+  begin_stage(stages, "remake");
+  origins_.erase(sweep);
+  cloud_.withdraw(sweep);
+  tree_.withdraw(sweep);
+  evidence_.forget(sweep);
+  return settle(stages);
+}
+
+void Map::put_again(const SweepMove& move) {
+  if (move.sweep >= sweeps_) throw std::logic_error("Map: no such sweep");
+  const Sweep sweep = storage_.sweeps->fetch(move.sweep);
+  const MapPoints points = points_of(sweep, move.X_map_sweep);
+  origins_.insert_or_assign(move.sweep, points.origin);
+  cloud_.put(move.sweep, points);
+  tree_.replace(move.sweep, points);
+  if (robot_.mapping.paper_projection) return;
+  evidence_.hold(move.sweep, look(points, sweep, move.X_map_sweep, robot_, seed_).evidence);
+}
+
+MapChange Map::settle(StageListener* stages) {
+  tree_.settle();
+  Projection projection;
+  if (robot_.mapping.paper_projection) projection = project_by_paper(stages);
+  if (!robot_.mapping.paper_projection) projection.changed_tiles = evidence_.settle(cost_map_);
+  return close_version(std::move(projection), stages);
+}
+
+MapChange Map::close_version(Projection projection, StageListener* stages) {
   begin_stage(stages, "embodiment");
   MapChange change;
-  change.ground = projection.ground;
+  change.ground = std::move(projection.ground);
   change.changed_tiles = embody(cost_map_, robot_, robot_.mapping.embodiment, projection.changed_tiles);
   change.version = ++version_;
   begin_stage(stages, "");
   return change;
 }
 
-void Map::succeed(const Map& before, MapChange& change) {
-  change.changed_tiles = differing_tiles(before.cost_map_, cost_map_);
-  change.version = version_ = before.version_ + 1;
-}
-
-Map::Projection Map::project(const MapPoints& points, const Sweep& sweep, const Pose& X_map_sweep,
-                             StageListener* stages) {
-  begin_stage(stages, "ground");
-  if (robot_.mapping.paper_projection) return project_by_paper(points, stages);
-  return project_by_evidence(points, sweep, X_map_sweep, stages);
-}
-
-Map::Projection Map::project_by_paper(const MapPoints& points, StageListener* stages) {
-  const PointCloud registered = cloud_.centroids();
-  Projection projection{find_ground({registered.points, {}, points.origin}, Sweep{}), {}};
+/// Of the newest sweep at which ground was found in all that was known by then; what came later changes nothing.
+Map::Projection Map::project_by_paper(StageListener* stages) {
+  Projection projection;
+  std::vector<Eigen::Vector3d> origins;
+  for (const auto& [number, origin] : origins_) origins.push_back(origin);
+  PointCloud registered;
+  std::optional<GroundPlane> plane;
+  for (auto newest = origins_.rbegin(); newest != origins_.rend() && !plane; ++newest) {
+    registered = cloud_.centroids(newest->first + 1);
+    const GroundReport ground = find_ground({registered.points, {}, newest->second}, std::nullopt, robot_, seed_);
+    if (newest == origins_.rbegin()) projection.ground = ground;
+    plane = ground.plane;
+    if (!plane) origins.pop_back();
+  }
   begin_stage(stages, "cost_map");
-  if (!projection.ground.plane) return projection;
   // All is projected anew, so all is embodied anew: every cell of the map may have changed.
   const CostMap before = std::exchange(cost_map_, CostMap{cost_map_.resolution_m, 0.0, 0.0, {}});
-  project_as_paper(cost_map_, registered, *projection.ground.plane, robot_, origins_, kCostMapReach);
+  if (plane) project_as_paper(cost_map_, registered, *plane, robot_, origins, kCostMapReach);
   embody(cost_map_, robot_, robot_.mapping.embodiment);
   projection.changed_tiles = differing_tiles(before, cost_map_);
-  return projection;
-}
-
-Map::Projection Map::project_by_evidence(const MapPoints& points, const Sweep& sweep, const Pose& X_map_sweep,
-                                         StageListener* stages) {
-  Projection projection{find_ground(points, sweep), {}};
-  GroundReport& ground = projection.ground;
-  if (!ground.plane) return projection;
-  const GroundSurface surface(points, *ground.plane, surface_config(robot_));
-  ground.surface_area_m2 = surface.area_m2();
-
-  begin_stage(stages, "cost_map");
-  const SweepViewConfig config = view_config(robot_);
-  const std::vector<ObstacleReturn> obstacles = obstacle_returns(points, surface, config);
-  const SweepView view(points, surface, obstacles, config);
-  projection.changed_tiles =
-      evidence_.put(cost_map_, origins_.size(),
-                    gather_evidence(obstacles, surface, view, robot_.body, X_map_sweep, cost_map_.resolution_m));
   return projection;
 }
 

@@ -34,36 +34,46 @@ Movement movement_of(const Sweep& sweep, const PlacedSweep& placed, const Link& 
 
 }  // namespace
 
-Mapper::Mapper(const Robot& robot, std::uint64_t seed, const ToleratedMove& tolerated,
-               std::unique_ptr<SweepArchive> sweeps)
+Mapper::Mapper(const Robot& robot, std::uint64_t seed, const ToleratedMove& tolerated, MapStorage storage)
     : robot_(robot),
-      seed_(seed),
       tolerated_(tolerated),
       registration_{robot.laser.min_range_m, robot.laser.max_range_m, seed},
       locator_(robot, registration_),
-      map_(std::make_unique<Map>(robot, seed)),
-      graph_(robot),
-      sweeps_(std::move(sweeps)) {}
+      map_(robot, seed, std::move(storage)),
+      graph_(robot) {}
 
 void Mapper::begin_session() {
   ++session_;
-  if (map_->version() > 0) map_->restart_versions();
+  if (map_.version() > 0) map_.restart_versions();
 }
 
 SweepResult Mapper::add(const Sweep& sweep, StageListener* stages) {
   SweepResult result = place(sweep, stages);
   result.name = sweep.name;
   result.utime = sweep.utime;
-  result.change.version = map_->version();
+  result.change.version = map_.version();
   if (result.verdict == Verdict::accepted) {
     result.correction = correction();
-    sweeps_->keep(sweep);
+    const std::vector<SweepMove> moves = result.correction.remade > 0 ? follow_poses() : std::vector<SweepMove>();
     trajectory_.push_back({sweep.utime, result.X_map_sweep});
-    result.change = result.correction.remade > 0 ? remake(stages) : map_->merge(sweep, result.X_map_sweep, stages);
+    result.change = map_.merge(sweep, result.X_map_sweep, stages, moves);
   }
   begin_stage(stages, "");
   results_.push_back(result);
   return result;
+}
+
+Withdrawal Mapper::withdraw(const std::string& name, StageListener* stages) {
+  Withdrawal withdrawal;
+  withdrawal.change.version = map_.version();
+  for (std::size_t i = trajectory_.size(); i-- > 0;) {
+    if (trajectory_[i].withdrawn || graph_.sweeps()[i].name != name) continue;
+    trajectory_[i].withdrawn = withdrawal.done = true;
+    withdrawal.change = map_.withdraw(i, stages);
+    return withdrawal;
+  }
+  withdrawal.reason = "The map holds no sweep of that name.";
+  return withdrawal;
 }
 
 SweepResult Mapper::place(const Sweep& sweep, StageListener* stages) {
@@ -87,7 +97,7 @@ SweepResult Mapper::place_first(const Sweep& sweep, PlacedSweep placed) {
   result.verdict = result.registration.verdict = Verdict::accepted;
   result.reason = result.registration.reason = "first sweep: the map begins here";
   result.registration.probability = 1.0;
-  result.X_map_sweep = placed.X_map_sweep = map_->first_pose(sweep);
+  result.X_map_sweep = placed.X_map_sweep = map_.first_pose(sweep);
   graph_.begin(std::move(placed));
   return result;
 }
@@ -130,6 +140,7 @@ SweepResult Mapper::place_among(const Sweep& sweep, PlacedSweep placed, StageLis
 MapCorrection Mapper::correction() const {
   MapCorrection correction;
   for (std::size_t i = 0; i < trajectory_.size(); ++i) {
+    if (trajectory_[i].withdrawn) continue;
     const PlacedSweep& sweep = graph_.sweeps()[i];
     const Pose& held = trajectory_[i].X_map_sweep;
     correction.shift_m = std::max(correction.shift_m, (sweep.X_map_sweep * sweep.origin - held * sweep.origin).norm());
@@ -140,17 +151,16 @@ MapCorrection Mapper::correction() const {
   return correction;
 }
 
-MapChange Mapper::remake(StageListener* stages) {
-  begin_stage(stages, "remake");
-  auto remade = std::make_unique<Map>(robot_, seed_);
-  MapChange change;
+/// The moves that lead the products to where the graph has the sweeps.
+std::vector<SweepMove> Mapper::follow_poses() {
+  std::vector<SweepMove> moves;
   for (std::size_t i = 0; i < trajectory_.size(); ++i) {
-    trajectory_[i].X_map_sweep = graph_.sweeps()[i].X_map_sweep;
-    change = remade->merge(sweeps_->fetch(i), trajectory_[i].X_map_sweep);
+    const Pose& now = graph_.sweeps()[i].X_map_sweep;
+    if (trajectory_[i].withdrawn) continue;
+    if (now.matrix() != trajectory_[i].X_map_sweep.matrix()) moves.push_back({i, now});
+    trajectory_[i].X_map_sweep = now;
   }
-  remade->succeed(*map_, change);
-  map_ = std::move(remade);
-  return change;
+  return moves;
 }
 
 }  // namespace scanway

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -14,7 +13,6 @@
 #include "modules/mapper/core/map.h"
 #include "modules/mapper/core/movement/movement.h"
 #include "modules/mapper/core/registration/registration.h"
-#include "modules/mapper/core/sweep_archive.h"
 #include "modules/mapper/core/sweep_graph.h"
 
 namespace scanway {
@@ -23,6 +21,7 @@ namespace scanway {
 struct TrajectoryPoint {
   Utime utime = 0;
   Pose X_map_sweep = Pose::Identity();
+  bool withdrawn = false;  ///< Its sweep is in no product any more.
 };
 
 /// How far poses may move before the products follow: a cell of the cost map, or as much at 10 m.
@@ -52,23 +51,34 @@ struct SweepResult {
   Movement movement;                    ///< While it was taken, as far as it is known.
 };
 
+/// What became of the wish to withdraw a sweep.
+struct Withdrawal {
+  bool done = false;
+  std::string reason;  ///< Why it was not; one sentence for people.
+  MapChange change;    ///< If it was not: the version that stayed.
+};
+
 /// The mapper: sweeps in, in the order of their time, a map out. A refused sweep changes no product.
 class Mapper {
  public:
   explicit Mapper(const Robot& robot, std::uint64_t seed = 1, const ToleratedMove& tolerated = {},
-                  std::unique_ptr<SweepArchive> sweeps = std::make_unique<SweepsInMemory>());
+                  MapStorage storage = {});
 
   /// The whole method: prepare, register against the sweeps that overlap it, settle the poses of all, and merge into
-  /// every product; where earlier sweeps moved by more than is tolerated, the products are made again of all sweeps.
+  /// every product; where earlier sweeps moved by more than is tolerated, the products follow.
   /// Stages: those of the registration, overlap, graph, merge, octomap, ground, cost_map, embodiment; where
-  /// the products are made again: remake.
+  /// products follow poses: remake.
   SweepResult add(const Sweep& sweep, StageListener* stages = nullptr);
+
+  /// Takes the newest sweep of that name out of every product, as if it had never been there; the poses of the others
+  /// stay. In the graph it goes on holding its neighbours together, and what comes may be registered to it.
+  Withdrawal withdraw(const std::string& name, StageListener* stages = nullptr);
 
   /// The map goes on with sweeps of another session, after the robot was moved or its tracker started again: the first
   /// of them is searched in the whole map. Versions are counted anew; what stands is the first.
   void begin_session();
 
-  const Map& map() const { return *map_; }
+  const Map& map() const { return map_; }
   const SweepGraph& graph() const { return graph_; }
   /// The poses at which the products hold the sweeps.
   const std::vector<TrajectoryPoint>& trajectory() const { return trajectory_; }
@@ -79,16 +89,14 @@ class Mapper {
   SweepResult place_first(const Sweep& sweep, PlacedSweep placed);
   SweepResult place_among(const Sweep& sweep, PlacedSweep placed, StageListener* stages);
   MapCorrection correction() const;
-  MapChange remake(StageListener* stages);
+  std::vector<SweepMove> follow_poses();
 
   Robot robot_;
-  std::uint64_t seed_;
   ToleratedMove tolerated_;
   RegistrationConfig registration_;
   Locator locator_;
-  std::unique_ptr<Map> map_;
+  Map map_;
   SweepGraph graph_;
-  std::unique_ptr<SweepArchive> sweeps_;  ///< As the map holds them, one a point of the trajectory.
   std::vector<TrajectoryPoint> trajectory_;
   std::vector<SweepResult> results_;
   int session_ = 0;

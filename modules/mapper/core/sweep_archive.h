@@ -7,7 +7,7 @@
 
 namespace scanway {
 
-/// Holds the sweeps of the map, to make it again where their poses move.
+/// Holds the sweeps of the map, to move them where their poses move.
 class SweepArchive {
  public:
   virtual ~SweepArchive() = default;

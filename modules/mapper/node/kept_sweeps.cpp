@@ -20,6 +20,7 @@ void MapperNode::resume(const SweepStore& map) {
   work_on_session(map);
   silent_ = false;
   if (mapper_.map().version() > 0) publisher_.publish_whole(mapper_.map(), map_utime_);
+  carry_out_due();
 }
 
 void MapperNode::work_on_session(const SweepStore& map) {
@@ -36,6 +37,10 @@ void MapperNode::work_on_kept(const std::string& path) {
       if (event->channel == channel::kImu.name) take_imu(message);
       if (event->channel == channel::kSweepInputs.name) take_origin(message);
       if (event->channel == channel::kSweep.name) take_piece(message);
+      if (event->channel == channel::kMapCommand.name) {
+        inputs_.flush();
+        take_command(message);
+      }
     }
     if (!log.trouble().empty()) store_trouble_ = path + ": " + log.trouble();
   } catch (const InputError& error) {

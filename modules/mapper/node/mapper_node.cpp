@@ -18,6 +18,7 @@
 #include "common/messages/pose_message.h"
 #include "common/messages/rigid.h"
 #include "common/messages/sweep_message.h"
+#include "modules/mapper/node/bytes_on_disk.h"
 #include "modules/mapper/node/sweeps_on_disk.h"
 #include "scanway/registration_t.hpp"
 
@@ -74,11 +75,12 @@ Pose base_pose(const SweepResult& result, const Sweep& sweep) {
 MapperNode::MapperNode(Bus& bus, const Robot& robot, StageListener* stages)
     : bus_(bus),
       stages_(stages),
-      mapper_(robot, 1, {}, std::make_unique<SweepsOnDisk>()),
+      mapper_(robot, 1, {}, {std::make_unique<SweepsOnDisk>(), std::make_shared<BytesOnDisk>()}),
       publisher_(bus),
       inputs_(merge()) {
   bus_.subscribe(channel::kImu.name, [this](const BusMessage& message) { take_imu(message); });
   bus_.subscribe(channel::kSweep.name, [this](const BusMessage& message) { take_piece(message); });
+  bus_.subscribe(channel::kMapCommand.name, [this](const BusMessage& message) { take_command(message); });
 }
 
 OrderedMerge<MapperNode::Input> MapperNode::merge() {
@@ -181,10 +183,12 @@ void MapperNode::add_sweep(ArrivedSweep&& arrived) {
   const SweepResult result = mapper_.add(arrived.sweep, stages_);
   if (store_ != nullptr && result.verdict != Verdict::accepted) store_->drop(arrived.object);
   if (result.verdict == Verdict::accepted) map_utime_ = result.utime;
+  last_sweep_ = arrived.object.digest;
   if (silent_) return;
   tell(result.correction);
   begin_stage(stages_, "publish");
   publish_result(result, arrived.sweep);
+  carry_out_due();
   begin_stage(stages_, "");
   if (finished_) finished_(arrived.sweep.name, arrived.sweep.utime);
 }
@@ -272,8 +276,8 @@ void MapperNode::publish_result(const SweepResult& result, const Sweep& sweep) {
 void MapperNode::tell(const MapCorrection& correction) {
   if (correction.remade == 0) return;
   ++corrections_;
-  spdlog::info("{} sweeps moved by up to {:.1f} cm and {:.2f} degrees: the map was made again of all",
-               correction.remade, 100.0 * correction.shift_m, correction.turn * 180.0 / repeatable::kPi);
+  spdlog::info("{} sweeps moved by up to {:.1f} cm and {:.2f} degrees: the map followed", correction.remade,
+               100.0 * correction.shift_m, correction.turn * 180.0 / repeatable::kPi);
 }
 
 }  // namespace scanway

@@ -20,6 +20,7 @@
 #include "common/messages/objects.h"
 #include "common/progress/stages.h"
 #include "modules/mapper/core/mapper.h"
+#include "modules/mapper/node/map_commands.h"
 #include "modules/mapper/node/map_publisher.h"
 #include "modules/mapper/node/sweep_assembler.h"
 #include "modules/mapper/node/sweep_store.h"
@@ -36,7 +37,7 @@ constexpr Utime kMaxOrientationAge = 2 * kMicrosecondsPerSecond;
 using ListedOrientations = std::map<std::uint64_t, std::optional<std::uint64_t>>;
 
 /// The mapper on the bus: SWEEP and IMU in, merged by their own time; SWEEP_INPUTS, REGISTRATION, POSE and the map's
-/// products out.
+/// products out. MAP_COMMAND in, MAP_ANSWER out.
 class MapperNode {
  public:
   /// `bus` and `stages` must outlive this.
@@ -47,6 +48,8 @@ class MapperNode {
 
   /// A sweep that `listed` names gets the orientation that is named there, whatever came when. For replay.
   void use(ListedOrientations listed) { listed_ = std::move(listed); }
+  /// Commands that were answered so are carried out where they were then, whenever they come. For replay.
+  void use(std::vector<map_answer_t> answers) { commands_.use(std::move(answers)); }
   /// A sweep that was assembled here, before its pieces come: it has the orientation of its own time, and SWEEP_INPUTS
   /// says what it was made of. However long its pieces take, it does not come too late.
   void expect(SweepOrigin origin);
@@ -99,6 +102,10 @@ class MapperNode {
   void publish_result(const SweepResult& result, const Sweep& sweep);
   void keep(const Object& sweep, const std::optional<Orientation>& orientation);
   void tell(const MapCorrection& correction);
+  void take_command(const BusMessage& message);
+  void carry_out_due();
+  void carry_out(const map_command_t& command);
+  void keep(const map_command_t& command);
   void work_on_session(const SweepStore& map);
   void work_on_kept(const std::string& log);
   void begin_session();
@@ -118,6 +125,8 @@ class MapperNode {
   std::set<std::uint64_t> arrived_;                // Digests of all sweeps that came.
   std::vector<Orientation> held_;                  // That came since then.
   int silences_ = 0;                               // In a row, with sweeps awaited.
+  MapCommands commands_;
+  std::uint64_t last_sweep_ = 0;  // Digest of the one that was worked on last.
   ListedOrientations listed_;
   std::map<std::uint64_t, Orientation> listed_arrived_;  // By the digest of the message.
   std::function<void(std::string_view, Utime)> finished_;

@@ -13,6 +13,8 @@
 #include "common/files/input_error.h"
 #include "common/files/printable.h"
 #include "common/files/product_folder.h"
+#include "common/files/saved_folder.h"
+#include "common/messages/codec.h"
 #include "common/messages/digest.h"
 
 namespace scanway {
@@ -45,6 +47,14 @@ void SweepStore::keep(const Object& sweep, std::span<const std::uint8_t> imu,
   if (!imu.empty()) bus.publish(channel::kImu.name, imu, sweep.utime);
   if (!inputs.empty()) bus.publish(channel::kSweepInputs.name, inputs, sweep.utime);
   publish_object(bus, channel::kSweep, sweep.bytes, sweep.key, sweep.version, sweep.utime);
+  log.close();
+}
+
+// Its name comes after those of the sweeps of that time, which go on in hexadecimal.
+void SweepStore::keep(const map_command_t& command, Utime after) const {
+  LogWriter log(fmt::format("{}/sweep-{:020}-withdrawal-{:020}{}", folder_, after, command.utime, kExtension));
+  LogBus bus(log);
+  bus.publish(channel::kMapCommand.name, encode(command), after);
   log.close();
 }
 
@@ -82,7 +92,17 @@ void SweepStore::continue_from(const std::string& folder) const {
   }
 }
 
+void SweepStore::take_over(const SweepStore& map) const {
+  try {
+    copy_map(map, folder_);
+  } catch (const std::filesystem::filesystem_error& error) {
+    throw InputError(fmt::format("{}: cannot take over the sweeps of {}: {}", printable(folder_),
+                                 printable(map.folder_), error.code().message()));
+  }
+}
+
 SweepStore saved_map(const std::string& folder) {
+  if (SavedFolder::is_one(folder)) return saved_map(SavedFolder(folder).path_of("sweeps"));
   if (std::filesystem::is_directory(folder)) {
     SweepStore store(folder);
     if (!store.logs().empty() || store.earlier()) return store;

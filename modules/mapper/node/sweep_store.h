@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "common/messages/objects.h"
+#include "common/time/utime.h"
+#include "scanway/map_command_t.hpp"
 
 namespace scanway {
 
@@ -20,6 +22,8 @@ class SweepStore {
   /// `imu`: a message with the orientation that the sweep uses; empty: none. `inputs`: the SWEEP_INPUTS of a sweep that
   /// was assembled; else empty. Whole on the disk when this returns. Throws InputError.
   void keep(const Object& sweep, std::span<const std::uint8_t> imu, std::span<const std::uint8_t> inputs = {}) const;
+  /// A command that was carried out after the sweep of that time. Throws InputError.
+  void keep(const map_command_t& command, Utime after) const;
   bool has(const Object& sweep) const;
   /// The sweep did not get into the map.
   void drop(const Object& sweep) const;
@@ -32,6 +36,8 @@ class SweepStore {
   /// From now on this continues the map in `folder`, whose sweeps it takes over. Whole on the disk when this returns,
   /// or not at all; nothing if it continues a map already. Throws InputError.
   void continue_from(const std::string& folder) const;
+  /// Takes over the sweeps of `map`, and of those that it continues. Throws InputError.
+  void take_over(const SweepStore& map) const;
 
  private:
   std::string path_of(const Object& sweep) const;
@@ -39,7 +45,8 @@ class SweepStore {
   std::string folder_;
 };
 
-/// The map that was kept in `folder`. Throws InputError if there is none.
+/// The map that was kept in `folder`, or saved there as a whole (common/files/saved_folder.h), which is checked then.
+/// Throws InputError if there is none.
 SweepStore saved_map(const std::string& folder);
 
 }  // namespace scanway

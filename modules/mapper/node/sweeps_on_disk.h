@@ -7,17 +7,15 @@
 
 #include <Eigen/Geometry>
 
-#include "common/files/file_descriptor.h"
 #include "modules/mapper/core/sweep_archive.h"
+#include "modules/mapper/node/nameless_file.h"
 
 namespace scanway {
 
-/// Sweeps in a file without a name, which goes when the process does: a hundred of them would fill the memory, and they
-/// are read only when the map is made again. Where the disk takes no more, they stay in memory.
+/// Sweeps in a file without a name: a hundred of them would fill the memory, and they are read only when their poses
+/// move. Where the disk takes no more, they stay in memory.
 class SweepsOnDisk : public SweepArchive {
  public:
-  SweepsOnDisk();
-
   void keep(const Sweep& sweep) override;
   Sweep fetch(std::size_t number) const override;
 
@@ -29,7 +27,7 @@ class SweepsOnDisk : public SweepArchive {
     std::optional<Eigen::Quaterniond> R_world_sweep;
   };
 
-  FileDescriptor file_;
+  NamelessFile file_;
   std::int64_t end_ = 0;
   std::vector<Kept> sweeps_;
 };

@@ -49,7 +49,8 @@ int run(const ProgramOptions& options, const std::string& resumed) {
   const Robot robot = robot_of(options);
   const Identity who = this_process("mapper");
   LiveBusOptions live = live_bus_options(options);
-  for (const Channel* said_once : {&channel::kSweepInputs, &channel::kRegistration, &channel::kPose}) {
+  for (const Channel* said_once :
+       {&channel::kSweepInputs, &channel::kRegistration, &channel::kPose, &channel::kMapAnswer}) {
     live.repeated.emplace_back(said_once->name);
   }
   std::optional<SweepStore> store;

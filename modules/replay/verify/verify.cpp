@@ -19,19 +19,30 @@
 #include "modules/replay/verify/recorded_log.h"
 #include "modules/replay/verify/recorded_paths.h"
 #include "modules/replay/verify/sweep_list.h"
+#include "scanway/map_answer_t.hpp"
 #include "scanway/registration_t.hpp"
 
 namespace scanway {
 namespace {
 
+/// What became of commands to the map.
+std::vector<map_answer_t> answers_of(const RecordedLog& log) {
+  std::vector<map_answer_t> answers;
+  for (const auto& [utime, bytes] : log.messages(channel::kMapAnswer.name)) {
+    answers.push_back(decode<map_answer_t>(bytes));
+  }
+  return answers;
+}
+
 /// A mapper that works on listed sweeps, one after the other; those that were assembled are assembled again.
 class Rerun {
  public:
   /// `poses` gets where the robot stood.
-  Rerun(const Robot& robot, std::vector<Start>& poses)
+  Rerun(const Robot& robot, const RecordedLog& log, std::vector<Start>& poses)
       : mapper_(bus_, robot),
         assembler_(
             bus_, robot, [this](SweepOrigin origin) { mapper_.expect(std::move(origin)); }, false) {
+    mapper_.use(answers_of(log));
     derived_.listen(bus_);
     bus_.subscribe(channel::kPose.name, [&poses](const BusMessage& message) {
       const auto pose = decode<bot_core::pose_t>(message.bytes);
@@ -121,7 +132,7 @@ class Verifier {
 
   /// With the map that the session went on with, if it did.
   void begin(const std::string& resumed) {
-    rerun_ = std::make_unique<Rerun>(mapper_robot_, poses_);
+    rerun_ = std::make_unique<Rerun>(mapper_robot_, log_, poses_);
     if (resumed.empty()) return;
     rerun_->resume(saved_map(resumed));
     if (rerun_->version().version > 0) compare(rerun_->version());

@@ -1,182 +1,97 @@
 #include "modules/mapper/core/cloud/voxel_cloud.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
+#include <set>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
-#include "modules/mapper/core/cloud/radix_sort.h"
+#include "modules/mapper/core/cloud/packed_sums.h"
 
 namespace scanway {
 namespace {
 
-constexpr int kFractionBits = 10;
-constexpr std::int64_t kFractions = std::int64_t{1} << kFractionBits;
-constexpr std::int64_t kHalfExtent = std::int64_t{1} << 20;  // voxels: 21 bits a coordinate make a 63-bit Morton code
-constexpr double kIntensityUnit = 256.0;
-constexpr double kIntensityLimit = 1e9;  // so that 2^24 points cannot overflow a sum
+constexpr int kTileBits = 27;
+constexpr VoxelCloud::TileNumber kNoTile = std::numeric_limits<VoxelCloud::TileNumber>::max();  // after all others
 
-/// The low 21 bits of v, two zeros after each.
-std::uint64_t spread_bits(std::uint64_t v) {
-  v &= 0x1FFFFF;
-  v = (v | v << 32) & 0x001F00000000FFFF;
-  v = (v | v << 16) & 0x001F0000FF0000FF;
-  v = (v | v << 8) & 0x100F00F00F00F00F;
-  v = (v | v << 4) & 0x10C30C30C30C30C3;
-  v = (v | v << 2) & 0x1249249249249249;
-  return v;
-}
-
-std::uint64_t gather_bits(std::uint64_t v) {
-  v &= 0x1249249249249249;
-  v = (v | v >> 2) & 0x10C30C30C30C30C3;
-  v = (v | v >> 4) & 0x100F00F00F00F00F;
-  v = (v | v >> 8) & 0x001F0000FF0000FF;
-  v = (v | v >> 16) & 0x001F00000000FFFF;
-  v = (v | v >> 32) & 0x00000000001FFFFF;
-  return v;
-}
-
-/// std::floor, for numbers that an int64 holds, without a call where the CPU need not have an instruction for it.
-std::int64_t floor_of(double v) {
-  const auto truncated = static_cast<std::int64_t>(v);
-  return truncated - (static_cast<double>(truncated) > v ? 1 : 0);
-}
-
-std::int64_t fixed_intensity(float intensity) {
-  if (!std::isfinite(intensity)) return 0;
-  const double clamped = std::clamp(static_cast<double>(intensity), -kIntensityLimit, kIntensityLimit);
-  return floor_of(clamped * kIntensityUnit + 0.5);
-}
-
-/// A point on its way to its voxel.
-struct Entry {
-  std::uint64_t key;
-  std::uint32_t offset;  ///< Three times kFractionBits.
-  std::uint32_t index;
-};
-
-/// False for a point out of the extent, or not finite.
-bool locate(const Eigen::Vector3f& point, double scale, Entry& entry) {
-  for (int k = 0; k < 3; ++k) {
-    const double fixed = static_cast<double>(point[k]) * scale + 0.5;
-    if (!(std::fabs(fixed) < static_cast<double>(kHalfExtent * kFractions))) return false;
-    const auto units = static_cast<std::uint64_t>(floor_of(fixed) + kHalfExtent * kFractions);
-    entry.key |= spread_bits(units >> kFractionBits) << k;
-    entry.offset |= static_cast<std::uint32_t>(units & (kFractions - 1)) << (kFractionBits * k);
-  }
-  return true;
-}
-
-std::size_t count_keys(const std::vector<Entry>& sorted) {
-  std::size_t count = sorted.empty() ? 0 : 1;
-  for (std::size_t i = 1; i < sorted.size(); ++i) count += sorted[i].key != sorted[i - 1].key ? 1 : 0;
-  return count;
-}
-
-template <class Voxel>
-std::size_t count_points(const std::vector<Voxel>& voxels) {
-  std::size_t count = 0;
-  for (const Voxel& voxel : voxels) count += voxel.count;
-  return count;
-}
-
-/// The sums of `a` and `b`, both by key, into one by key.
-template <class Voxel>
-std::vector<Voxel> merged(const std::vector<Voxel>& a, const std::vector<Voxel>& b) {
-  std::vector<Voxel> sum;
-  sum.reserve(a.size() + b.size());
-  std::merge(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(sum),
-             [](const Voxel& p, const Voxel& q) { return p.key < q.key; });
-  std::size_t last = 0;
-  for (std::size_t i = 1; i < sum.size(); ++i) {
-    if (sum[i].key != sum[last].key) {
-      sum[++last] = sum[i];
-      continue;
-    }
-    Voxel& voxel = sum[last];
-    voxel.count += sum[i].count;
-    voxel.with_intensity += sum[i].with_intensity;
-    for (std::size_t k = 0; k < 3; ++k) voxel.offset_sum[k] += sum[i].offset_sum[k];
-    voxel.intensity_sum += sum[i].intensity_sum;
-  }
-  if (!sum.empty()) sum.resize(last + 1);
-  return sum;
-}
+VoxelCloud::TileNumber tile_of(const VoxelSum& voxel) { return voxel.key >> kTileBits; }
 
 }  // namespace
 
-VoxelCloud::VoxelCloud(double voxel_m) : voxel_m_(voxel_m) {}
+VoxelCloud::VoxelCloud(double voxel_m, std::shared_ptr<ByteStore> store)
+    : voxel_m_(voxel_m), store_(std::move(store)) {}
 
-std::vector<VoxelCloud::Voxel> VoxelCloud::voxels_of(const MapPoints& points) const {
-  std::vector<Entry> entries;
-  entries.reserve(points.points.size());
-  const double scale = static_cast<double>(kFractions) / voxel_m_;
-  for (std::size_t i = 0; i < points.points.size(); ++i) {
-    Entry entry{0, 0, static_cast<std::uint32_t>(i)};
-    if (locate(points.points[i], scale, entry)) entries.push_back(entry);
+void VoxelCloud::put(SweepNumber sweep, const MapPoints& points) {
+  const std::vector<VoxelSum> sums = voxel_sums(points, voxel_m_);
+  const bool with_intensity = !points.intensity.empty() && !sums.empty();
+  std::map<TileNumber, std::size_t> begin;
+  std::vector<std::uint8_t> bytes;
+  for (auto from = sums.begin(); from != sums.end();) {
+    const TileNumber tile = tile_of(*from);
+    const auto to = std::find_if(from, sums.end(), [tile](const VoxelSum& voxel) { return tile_of(voxel) != tile; });
+    begin.emplace_hint(begin.end(), tile, bytes.size());
+    pack({from, to}, tile << kTileBits, with_intensity, bytes);
+    from = to;
   }
-  radix_sort_by_key(entries);
-
-  std::vector<Voxel> voxels;
-  voxels.reserve(count_keys(entries));
-  for (const Entry& entry : entries) {
-    if (voxels.empty() || voxels.back().key != entry.key) voxels.push_back({.key = entry.key});
-    Voxel& voxel = voxels.back();
-    ++voxel.count;
-    for (std::size_t k = 0; k < 3; ++k) voxel.offset_sum[k] += (entry.offset >> (kFractionBits * k)) & (kFractions - 1);
-    if (points.intensity.empty()) continue;
-    ++voxel.with_intensity;
-    voxel.intensity_sum += fixed_intensity(points.intensity[entry.index]);
-  }
-  return voxels;
+  begin.emplace_hint(begin.end(), kNoTile, bytes.size());
+  views_.erase(sweep);
+  views_.emplace(sweep, View{std::move(begin), StoredBytes(store_, std::move(bytes)), with_intensity,
+                             points.points.size() - count_points(sums)});
 }
 
-void VoxelCloud::add(const MapPoints& points) {
-  std::vector<Voxel> added = voxels_of(points);
-  points_out_of_extent_ += points.points.size() - count_points(added);
-  voxels_ = voxels_.empty() ? std::move(added) : merged(voxels_, added);
+void VoxelCloud::withdraw(SweepNumber sweep) {
+  if (views_.erase(sweep) == 0) throw std::invalid_argument("VoxelCloud: no such sweep");
 }
 
-void VoxelCloud::remove(const MapPoints& points) {
-  const std::vector<Voxel> removed = voxels_of(points);
-  points_out_of_extent_ -= points.points.size() - count_points(removed);
-  auto voxel = voxels_.begin();
-  for (const Voxel& minus : removed) {
-    voxel = std::lower_bound(voxel, voxels_.end(), minus.key,
-                             [](const Voxel& v, std::uint64_t key) { return v.key < key; });
-    if (voxel == voxels_.end() || voxel->key != minus.key || voxel->count < minus.count) {
-      throw std::invalid_argument("VoxelCloud::remove: points that were never added");
-    }
-    voxel->count -= minus.count;
-    voxel->with_intensity -= minus.with_intensity;
-    for (std::size_t k = 0; k < 3; ++k) voxel->offset_sum[k] -= minus.offset_sum[k];
-    voxel->intensity_sum -= minus.intensity_sum;
+std::vector<VoxelCloud::TileNumber> VoxelCloud::tiles() const {
+  std::set<TileNumber> tiles;
+  for (const auto& [sweep, view] : views_) {
+    for (const auto& [tile, begin] : view.begin) tiles.insert(tile);
   }
-  std::erase_if(voxels_, [](const Voxel& v) { return v.count == 0; });
+  tiles.erase(kNoTile);
+  return {tiles.begin(), tiles.end()};
 }
 
-PointCloud VoxelCloud::centroids() const {
-  PointCloud cloud;
-  cloud.points.reserve(voxels_.size());
+std::vector<VoxelSum> VoxelCloud::sums_of(TileNumber tile, SweepNumber end) const {
+  std::vector<VoxelSum> sums;
+  for (auto sweep = views_.begin(); sweep != views_.end() && sweep->first < end; ++sweep) {
+    const View& view = sweep->second;
+    const auto part = view.begin.find(tile);
+    if (part == view.begin.end()) continue;
+    const std::vector<std::uint8_t> bytes = view.sums.fetch(part->second, std::next(part)->second);
+    unpack(bytes, tile << kTileBits, view.with_intensity, sums);
+  }
+  add_up(sums);
+  return sums;
+}
+
+PointCloud VoxelCloud::centroids_of(TileNumber tile) const {
   const bool with_intensity =
-      std::any_of(voxels_.begin(), voxels_.end(), [](const Voxel& voxel) { return voxel.with_intensity > 0; });
-  if (with_intensity) cloud.intensity.reserve(voxels_.size());
-  const double unit = voxel_m_ / static_cast<double>(kFractions);
-  for (const Voxel& voxel : voxels_) {
-    Eigen::Vector3f point;
-    for (int k = 0; k < 3; ++k) {
-      const auto index = static_cast<std::int64_t>(gather_bits(voxel.key >> k)) - kHalfExtent;
-      const double mean = static_cast<double>(voxel.offset_sum[static_cast<std::size_t>(k)]) / voxel.count;
-      point[k] = static_cast<float>((static_cast<double>(index * kFractions) + mean) * unit);
-    }
-    cloud.points.push_back(point);
-    if (!with_intensity) continue;
-    const double sum = static_cast<double>(voxel.intensity_sum) / kIntensityUnit;
-    cloud.intensity.push_back(voxel.with_intensity == 0 ? 0.0f : static_cast<float>(sum / voxel.with_intensity));
-  }
+      std::any_of(views_.begin(), views_.end(), [](const auto& view) { return view.second.with_intensity; });
+  PointCloud cloud;
+  append_centroids(sums_of(tile, std::numeric_limits<SweepNumber>::max()), voxel_m_, with_intensity, cloud);
   return cloud;
+}
+
+PointCloud VoxelCloud::centroids(SweepNumber end) const {
+  const bool with_intensity =
+      std::any_of(views_.begin(), views_.lower_bound(end), [](const auto& view) { return view.second.with_intensity; });
+  PointCloud cloud;
+  for (const TileNumber tile : tiles()) append_centroids(sums_of(tile, end), voxel_m_, with_intensity, cloud);
+  return cloud;
+}
+
+std::size_t VoxelCloud::size() const {
+  std::size_t size = 0;
+  for (const TileNumber tile : tiles()) size += sums_of(tile, std::numeric_limits<SweepNumber>::max()).size();
+  return size;
+}
+
+std::uint64_t VoxelCloud::points_out_of_extent() const {
+  std::uint64_t count = 0;
+  for (const auto& [sweep, view] : views_) count += view.points_out_of_extent;
+  return count;
 }
 
 }  // namespace scanway

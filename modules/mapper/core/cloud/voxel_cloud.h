@@ -1,13 +1,17 @@
 #pragma once
 
-#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <map>
+#include <memory>
 #include <vector>
-
-#include <Eigen/Core>
 
 #include "common/cloud/point_cloud.h"
 #include "modules/mapper/core/cloud/map_points.h"
+#include "modules/mapper/core/cloud/sweep_number.h"
+#include "modules/mapper/core/cloud/voxel_sums.h"
+#include "modules/mapper/core/storage/byte_store.h"
 
 namespace scanway {
 
@@ -16,37 +20,45 @@ namespace scanway {
 /// Coordinates are counted in 1024ths of a voxel and summed in integers, so the cloud is the same whatever the order in
 /// which points or sweeps arrive. A centroid is off by at most 1/2048 of a voxel (5 um at 1 cm) a coordinate.
 /// Any extent to +-2^20 voxels from the map's origin (10 km at 1 cm); points beyond are left out and counted.
+///
+/// What each sweep shows is kept for itself, packed, by tile, in a store; a voxel is added up when it is asked for. So
+/// a sweep comes, moves and goes at its own cost, whatever the size of the map, and the memory holds a tile at a time.
 class VoxelCloud {
  public:
-  explicit VoxelCloud(double voxel_m);
+  explicit VoxelCloud(double voxel_m, std::shared_ptr<ByteStore> store = std::make_shared<BytesInMemory>());
 
-  /// Adds the points (in the map frame; not finite ones are left out).
-  void add(const MapPoints& points);
-  /// Takes points away that were added before, the same to the bit: the cloud is then the one that never had them.
-  void remove(const MapPoints& points);
+  /// What the sweep shows from now on: points in the map frame, of which those that are not finite are left out.
+  void put(SweepNumber sweep, const MapPoints& points);
+  /// The cloud is then the one that never had the sweep. Throws std::invalid_argument when there is no such sweep.
+  void withdraw(SweepNumber sweep);
 
-  /// Centroids in Morton order of their voxels, in the map frame, with the mean intensity (when points had any).
-  PointCloud centroids() const;
+  /// A cube of 512 voxels a side, by its place in the order of their Morton codes.
+  using TileNumber = std::uint64_t;
+  std::vector<TileNumber> tiles() const;  ///< Those with points, in order.
+
+  /// Centroids in Morton order of their voxels, in the map frame, with the mean intensity (when points had any): of one
+  /// tile, or of all of the sweeps before number `end`.
+  PointCloud centroids_of(TileNumber tile) const;
+  PointCloud centroids(SweepNumber end = std::numeric_limits<SweepNumber>::max()) const;
 
   double voxel_m() const { return voxel_m_; }
-  std::size_t size() const { return voxels_.size(); }
-  std::uint64_t points_out_of_extent() const { return points_out_of_extent_; }
+  std::size_t size() const;  ///< Voxels that hold a point; counted anew.
+  std::uint64_t points_out_of_extent() const;
 
  private:
-  /// A voxel's sums. Offsets are from its lowest corner, in 1024ths of a voxel; intensity is in 256ths.
-  struct Voxel {
-    std::uint64_t key = 0;  ///< Morton code of the voxel's index.
-    std::uint32_t count = 0;
-    std::uint32_t with_intensity = 0;
-    std::array<std::uint64_t, 3> offset_sum{};
-    std::int64_t intensity_sum = 0;
+  /// What one sweep shows.
+  struct View {
+    std::map<TileNumber, std::size_t> begin;  ///< Where each tile's sums begin, and at last where all end.
+    StoredBytes sums;
+    bool with_intensity = false;
+    std::uint64_t points_out_of_extent = 0;
   };
 
-  std::vector<Voxel> voxels_of(const MapPoints& points) const;
+  std::vector<VoxelSum> sums_of(TileNumber tile, SweepNumber end) const;
 
   double voxel_m_;
-  std::vector<Voxel> voxels_;  ///< By key.
-  std::uint64_t points_out_of_extent_ = 0;
+  std::shared_ptr<ByteStore> store_;
+  std::map<SweepNumber, View> views_;
 };
 
 }  // namespace scanway

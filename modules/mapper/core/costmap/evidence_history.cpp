@@ -67,48 +67,61 @@ EvidenceTile PackedEvidence::unpacked() const {
 }
 
 std::vector<Cell> EvidenceHistory::put(CostMap& map, SweepNumber sweep, const SweepEvidence& evidence) {
-  std::set<Cell> anew = forget(sweep), changed;
+  forget(sweep);
+  std::set<Cell> changed;
   for (const auto& [index, tile] : evidence) {
     if (!says_anything(tile)) continue;
     TileHistory& history = tiles_[index];
     const bool newest = history.empty() || history.rbegin()->first < sweep;
     history.emplace(sweep, tile);
-    if (!newest || anew.contains(index)) {
-      anew.insert(index);
+    if (!newest || unsettled_.contains(index)) {
+      unsettled_.insert(index);
     } else if (overlay(tile, map.tiles[index])) {
       changed.insert(index);
     }
   }
-  changed.merge(project(map, anew));
+  for (const Cell& index : settle(map)) changed.insert(index);
   return {changed.begin(), changed.end()};
 }
 
 std::vector<Cell> EvidenceHistory::withdraw(CostMap& map, SweepNumber sweep) {
-  const std::set<Cell> changed = project(map, forget(sweep));
-  return {changed.begin(), changed.end()};
+  forget(sweep);
+  return settle(map);
 }
 
-std::set<Cell> EvidenceHistory::forget(SweepNumber sweep) {
-  std::set<Cell> touched;
+void EvidenceHistory::hold(SweepNumber sweep, const SweepEvidence& evidence) {
+  forget(sweep);
+  for (const auto& [index, tile] : evidence) {
+    if (!says_anything(tile)) continue;
+    tiles_[index].emplace(sweep, tile);
+    unsettled_.insert(index);
+  }
+}
+
+void EvidenceHistory::forget(SweepNumber sweep) {
   for (auto tile = tiles_.begin(); tile != tiles_.end();) {
-    if (tile->second.erase(sweep) > 0) touched.insert(tile->first);
+    if (tile->second.erase(sweep) > 0) unsettled_.insert(tile->first);
     tile = tile->second.empty() ? tiles_.erase(tile) : std::next(tile);
   }
-  return touched;
 }
 
-std::set<Cell> EvidenceHistory::project(CostMap& map, const std::set<Cell>& tiles) const {
-  std::set<Cell> changed;
-  for (const Cell& index : tiles) {
-    CostTile& tile = map.tiles[index];
-    const auto before = tile.state;
-    tile.state.fill(CellState::unknown);
-    if (const auto history = tiles_.find(index); history != tiles_.end()) {
-      for (const auto& [sweep, packed] : history->second) overlay(packed.unpacked(), tile);
-    }
-    if (tile.state != before) changed.insert(index);
+std::vector<Cell> EvidenceHistory::settle(CostMap& map) {
+  std::vector<Cell> changed;
+  for (const Cell& index : unsettled_) {
+    if (project(map, index)) changed.push_back(index);
   }
+  unsettled_.clear();
   return changed;
+}
+
+bool EvidenceHistory::project(CostMap& map, Cell index) const {
+  CostTile& tile = map.tiles[index];
+  const auto before = tile.state;
+  tile.state.fill(CellState::unknown);
+  if (const auto history = tiles_.find(index); history != tiles_.end()) {
+    for (const auto& [sweep, packed] : history->second) overlay(packed.unpacked(), tile);
+  }
+  return tile.state != before;
 }
 
 std::size_t EvidenceHistory::bytes() const {

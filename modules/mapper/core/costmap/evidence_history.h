@@ -6,12 +6,10 @@
 #include <vector>
 
 #include "common/grid/cost_map.h"
+#include "modules/mapper/core/cloud/sweep_number.h"
 #include "modules/mapper/core/costmap/evidence.h"
 
 namespace scanway {
-
-/// Which sweep: the greater, the newer.
-using SweepNumber = std::uint64_t;
 
 /// A tile of evidence in a few hundred bytes, without loss: of each quantity, runs of how a row differs from the one
 /// before it.
@@ -39,17 +37,21 @@ class EvidenceHistory {
   /// Nothing happens when there is no such sweep.
   std::vector<Cell> withdraw(CostMap& map, SweepNumber sweep);
 
+  /// For many at once: these put and withdraw, and the states of `map` follow with settle().
+  void hold(SweepNumber sweep, const SweepEvidence& evidence);
+  void forget(SweepNumber sweep);
+  std::vector<Cell> settle(CostMap& map);
+
   std::size_t bytes() const;  ///< Of all evidence, packed.
 
  private:
   using TileHistory = std::map<SweepNumber, PackedEvidence>;  ///< Oldest first.
 
-  /// The tiles that the sweep spoke of.
-  std::set<Cell> forget(SweepNumber sweep);
-  /// Makes the states of `tiles` anew; those that changed.
-  std::set<Cell> project(CostMap& map, const std::set<Cell>& tiles) const;
+  /// Makes the states of a tile anew; whether any changed.
+  bool project(CostMap& map, Cell index) const;
 
   std::map<Cell, TileHistory> tiles_;
+  std::set<Cell> unsettled_;
 };
 
 }  // namespace scanway

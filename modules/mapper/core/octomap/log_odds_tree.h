@@ -2,11 +2,10 @@
 
 #include <cstddef>
 #include <string>
-#include <vector>
 
 #include "modules/mapper/core/octomap/node_blocks.h"
-#include "modules/mapper/core/octomap/packed_voxels.h"
 #include "modules/mapper/core/octomap/voxel_bricks.h"
+#include "modules/mapper/core/octomap/voxel_history.h"
 
 namespace scanway {
 
@@ -21,8 +20,8 @@ class LogOddsTree {
   /// in whatever order the voxels come, and a cube that is all free is one leaf at once.
   void update(VoxelBricks& bricks);
 
-  /// Makes these bricks (in order) anew, as if no other sweep had ever touched them than those that history holds.
-  void remake(const std::vector<VoxelBricks::BrickNumber>& numbers, const VoxelHistory& history);
+  /// Makes these bricks anew, as if no other sweep had ever touched them than those that history holds.
+  void remake(const BrickNumbers& numbers, const VoxelHistory& history);
 
   struct Size {
     std::size_t nodes = 0, leaves = 0;

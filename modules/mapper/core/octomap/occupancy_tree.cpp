@@ -3,14 +3,15 @@
 #include <algorithm>
 #include <iterator>
 #include <stdexcept>
+#include <utility>
 
 #include "modules/mapper/core/octomap/log_odds_tree.h"
 #include "modules/mapper/core/octomap/sweep_voxels.h"
 
 namespace scanway {
 
-OccupancyTree::OccupancyTree(const OccupancyTreeConfig& config)
-    : config_(config), tree_(std::make_unique<LogOddsTree>()) {}
+OccupancyTree::OccupancyTree(const OccupancyTreeConfig& config, std::shared_ptr<ByteStore> store)
+    : config_(config), tree_(std::make_unique<LogOddsTree>()), history_(std::move(store)) {}
 
 OccupancyTree::~OccupancyTree() = default;
 OccupancyTree::OccupancyTree(OccupancyTree&&) noexcept = default;
@@ -23,23 +24,26 @@ void OccupancyTree::insert(const MapPoints& points) {
   ++sweeps_;
 }
 
-void OccupancyTree::withdraw(SweepNumber sweep) { tree_->remake(forget(sweep), history_); }
-
-void OccupancyTree::replace(SweepNumber sweep, const MapPoints& points) {
-  const std::vector<VoxelBricks::BrickNumber> before = forget(sweep);
-  VoxelBricks bricks = voxels_of(points);
-  history_.put(sweep, bricks);
-  const std::vector<VoxelBricks::BrickNumber> now = bricks.numbers();
-  std::vector<VoxelBricks::BrickNumber> touched;
-  std::set_union(before.begin(), before.end(), now.begin(), now.end(), std::back_inserter(touched));
-  tree_->remake(touched, history_);
-}
-
-std::vector<VoxelBricks::BrickNumber> OccupancyTree::forget(SweepNumber sweep) {
+void OccupancyTree::withdraw(SweepNumber sweep) {
   if (!config_.revisable) throw std::logic_error("OccupancyTree: its sweeps are not kept");
   if (sweep >= sweeps_) throw std::logic_error("OccupancyTree: no such sweep");
-  return history_.forget(sweep);
+  touch(history_.forget(sweep));
 }
+
+void OccupancyTree::replace(SweepNumber sweep, const MapPoints& points) {
+  withdraw(sweep);
+  VoxelBricks bricks = voxels_of(points);
+  history_.put(sweep, bricks);
+  touch(bricks.numbers());
+}
+
+void OccupancyTree::touch(const BrickNumbers& numbers) {
+  BrickNumbers both;
+  std::set_union(unsettled_.begin(), unsettled_.end(), numbers.begin(), numbers.end(), std::back_inserter(both));
+  unsettled_ = std::move(both);
+}
+
+void OccupancyTree::settle() { tree_->remake(std::exchange(unsettled_, {}), history_); }
 
 VoxelBricks OccupancyTree::voxels_of(const MapPoints& points) const {
   const Eigen::Vector3f origin = points.origin.cast<float>();

@@ -3,10 +3,11 @@
 #include <cstddef>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "modules/mapper/core/cloud/map_points.h"
-#include "modules/mapper/core/octomap/packed_voxels.h"
+#include "modules/mapper/core/cloud/sweep_number.h"
+#include "modules/mapper/core/octomap/voxel_history.h"
+#include "modules/mapper/core/storage/byte_store.h"
 
 namespace scanway {
 
@@ -24,21 +25,23 @@ struct OccupancyTreeConfig {
 /// class reads it from ot_bytes(): octomap::AbstractOcTree::read.
 class OccupancyTree {
  public:
-  explicit OccupancyTree(const OccupancyTreeConfig& config);
+  /// A revisable tree keeps in `store` what it needs to be revised.
+  explicit OccupancyTree(const OccupancyTreeConfig& config,
+                         std::shared_ptr<ByteStore> store = std::make_shared<BytesInMemory>());
   ~OccupancyTree();
   OccupancyTree(OccupancyTree&&) noexcept;
   OccupancyTree& operator=(OccupancyTree&&) noexcept;
 
-  using SweepNumber = VoxelHistory::SweepNumber;
-
   /// Points in the map frame; the origin is rounded to float, as OctoMap keeps it. Sweeps are numbered from 0.
   void insert(const MapPoints& points);
 
-  /// Of a revisable tree: what it would be without that sweep, or with other points in its place (at a pose that was
-  /// corrected). Only the bricks (16 voxels a side) that the sweep touches are made anew, from the voxels that are kept
-  /// of every sweep. A sweep that was withdrawn can be put back by replace(). Throw std::logic_error otherwise.
+  /// Of a revisable tree: from the next settle() on it is what it would be without that sweep, or with other points in
+  /// its place (at a pose that was corrected); one that was withdrawn can so be put back. Throw std::logic_error
+  /// otherwise, or when there was no such sweep.
   void withdraw(SweepNumber sweep);
   void replace(SweepNumber sweep, const MapPoints& points);
+  /// Makes anew the bricks (16 voxels a side) that these sweeps touched, from the voxels that are kept of every sweep.
+  void settle();
 
   std::string ot_bytes() const;  ///< The .ot file: every node's log-odds.
   std::string bt_bytes() const;  ///< The .bt file: each node at its most likely state.
@@ -51,11 +54,12 @@ class OccupancyTree {
 
  private:
   VoxelBricks voxels_of(const MapPoints& points) const;
-  std::vector<VoxelBricks::BrickNumber> forget(SweepNumber sweep);
+  void touch(const BrickNumbers& numbers);
 
   OccupancyTreeConfig config_;
   std::unique_ptr<LogOddsTree> tree_;
   VoxelHistory history_;  ///< Of a revisable tree.
+  BrickNumbers unsettled_;
   SweepNumber sweeps_ = 0;
 };
 

@@ -30,14 +30,22 @@ namespace avx512 {
 }
 #pragma GCC pop_options
 
-using StepAll = void (*)(State&, std::size_t, Words*);
-
-StepAll step_all_of_this_cpu() {
-  if (__builtin_cpu_supports("avx512f")) return avx512::step_all;
-  return __builtin_cpu_supports("avx2") ? avx2::step_all : any_cpu::step_all;
+std::vector<RayLanes::Variant> variants_of_this_cpu() {
+  std::vector<RayLanes::Variant> variants;
+  if (__builtin_cpu_supports("avx512f")) variants.push_back({"avx512f", avx512::step_all});
+  if (__builtin_cpu_supports("avx2")) variants.push_back({"avx2", avx2::step_all});
+  variants.push_back({"any", any_cpu::step_all});
+  return variants;
 }
 
 }  // namespace
+
+const std::vector<RayLanes::Variant>& RayLanes::variants() {
+  static const std::vector<Variant> variants = variants_of_this_cpu();
+  return variants;
+}
+
+RayLanes::RayLanes(VoxelBricks& bricks) : RayLanes(bricks, variants().front()) {}
 
 void RayLanes::add(const KeyRay& ray) {
   if (used_ == kLanes) walk_until_one_is_done();
@@ -78,11 +86,10 @@ inline void RayLanes::mark(Place& place, MortonCode voxel) {
 }
 
 void RayLanes::walk(std::int64_t steps) {
-  static const StepAll step_all = step_all_of_this_cpu();
   Words voxels[kStepsAtOnce];
   while (steps > 0) {
     const std::int64_t now = std::min(steps, kStepsAtOnce);
-    step_all(state_, static_cast<std::size_t>(now), voxels);
+    step_all_(state_, static_cast<std::size_t>(now), voxels);
     // Step by step, not ray by ray: voxels of one ray share words, and each would wait for the one before.
     for (std::int64_t s = 0; s < now; ++s) {
       for (std::size_t lane = 0; lane < kLanes; ++lane) mark(places_[lane], voxels[s][lane]);

@@ -3,6 +3,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
+#include <vector>
 
 #include "modules/mapper/core/octomap/key_ray.h"
 #include "modules/mapper/core/octomap/voxel_bricks.h"
@@ -14,7 +16,8 @@ class RayLanes {
  public:
   static constexpr std::size_t kLanes = 8;
 
-  explicit RayLanes(VoxelBricks& bricks) : bricks_(bricks) {}
+  /// Steps as the fastest variant does.
+  explicit RayLanes(VoxelBricks& bricks);
 
   /// The whole ray but its first voxel; it may be under way until finish().
   void add(const KeyRay& ray);
@@ -30,6 +33,16 @@ class RayLanes {
     Words code;
     Words mirror;
   };
+
+  /// The steps as they are compiled for one kind of CPU. All give the same bits.
+  struct Variant {
+    std::string_view cpu;
+    /// So many steps of all lanes; the voxels that they come to, a row each step.
+    void (*step_all)(State& state, std::size_t steps, Words* voxels);
+  };
+  /// Those that this CPU can run, the fastest first.
+  static const std::vector<Variant>& variants();
+  RayLanes(VoxelBricks& bricks, const Variant& variant) : bricks_(bricks), step_all_(variant.step_all) {}
 
  private:
   /// A ray's part of the bricks that it is in, so that not every voxel is looked for from the top.
@@ -56,6 +69,7 @@ class RayLanes {
   std::array<End, kLanes> ends_;
   std::size_t used_ = 0;
   VoxelBricks& bricks_;
+  void (*step_all_)(State& state, std::size_t steps, Words* voxels);
 };
 
 }  // namespace scanway

@@ -20,7 +20,7 @@ void ours(const MapPoints& sweep, double voxel_m) {
   std::size_t points = 0;
   const double seconds = median_cpu_s(5, [&] {
     VoxelCloud cloud(voxel_m);
-    cloud.add(sweep);
+    cloud.put(0, sweep);
     points = cloud.centroids().size();
   });
   row("Scanway", voxel_m, seconds, points);

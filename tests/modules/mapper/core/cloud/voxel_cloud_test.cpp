@@ -54,7 +54,7 @@ TEST(VoxelCloud, CentroidsAreThoseOfABruteForceMap) {
   constexpr double kVoxel = 0.01;
   const MapPoints points = random_points(20000, 40.0, 3);
   VoxelCloud cloud(kVoxel);
-  cloud.add(points);
+  cloud.put(0, points);
   std::map<std::array<long, 3>, Mean> expected;
   for (std::size_t i = 0; i < points.points.size(); ++i) {
     std::array<long, 3> key{};
@@ -86,10 +86,10 @@ TEST(VoxelCloud, CentroidsAreThoseOfABruteForceMap) {
 TEST(VoxelCloud, TheOrderOfPointsAndSweepsDoesNotMatter) {
   const MapPoints first = random_points(30000, 30.0, 1), second = random_points(20000, 60.0, 2);
   VoxelCloud a(0.01), b(0.01);
-  a.add(first);
-  a.add(second);
-  b.add(shuffled(second, 9));
-  b.add(shuffled(first, 8));
+  a.put(0, first);
+  a.put(1, second);
+  b.put(0, shuffled(second, 9));
+  b.put(1, shuffled(first, 8));
   EXPECT_TRUE(same_bytes(a.centroids(), b.centroids()));
   EXPECT_GT(a.size(), 20000u);
 }
@@ -98,7 +98,7 @@ TEST(VoxelCloud, KilometresApartIsNoOverflow) {
   MapPoints points;
   points.points = {{4000.0f, -4000.0f, 100.0f}, {-4000.0f, 4000.0f, -100.0f}, {4000.001f, -4000.0f, 100.0f}};
   VoxelCloud cloud(0.01);
-  cloud.add(points);
+  cloud.put(0, points);
   EXPECT_EQ(cloud.points_out_of_extent(), 0u);
   for (const Eigen::Vector3f& p : cloud.centroids().points) EXPECT_NEAR(std::fabs(p.x()), 4000.0, 0.02);
 }
@@ -108,20 +108,20 @@ TEST(VoxelCloud, WhatIsNotFiniteOrTooFarIsLeftOutAndCounted) {
   const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
   points.points = {{nan, 0, 0}, {0, infinity, 0}, {0, 0, -infinity}, {1e9f, 0, 0}, {1, 2, 3}};
   VoxelCloud cloud(0.01);
-  cloud.add(points);
+  cloud.put(0, points);
   EXPECT_EQ(cloud.size(), 1u);
   EXPECT_EQ(cloud.points_out_of_extent(), 4u);
 }
 
 TEST(VoxelCloud, NoIntensityInNoIntensityOut) {
   VoxelCloud cloud(0.01);
-  cloud.add(random_points(100, 1.0, 5, false));
+  cloud.put(0, random_points(100, 1.0, 5, false));
   EXPECT_TRUE(cloud.centroids().intensity.empty());
 }
 
 TEST(VoxelCloud, AnEmptyCloudIsEmpty) {
   VoxelCloud cloud(0.01);
-  cloud.add({});
+  cloud.put(0, {});
   EXPECT_TRUE(cloud.centroids().empty());
 }
 
@@ -139,23 +139,40 @@ TEST(PointsInMap, OnlyFinitePointsWithinRangeAndTheirIntensity) {
   EXPECT_EQ(points.intensity, (std::vector<float>{2, 5}));
 }
 
-TEST(VoxelCloud, ASweepThatIsTakenAwayLeavesNothing) {
+TEST(VoxelCloud, ASweepThatIsWithdrawnOrMovedLeavesNothing) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   for (const bool with_intensity : {false, true}) {
     const MapPoints a = random_points(5000, 3.0, 1), c = random_points(5000, 2.0, 3);
     MapPoints b = random_points(5000, 3.0, 2, with_intensity);
     b.points[7] = {nan, 0.0f, 0.0f};
     VoxelCloud never(0.01), taken(0.01);
-    taken.add(a);
-    taken.add(b);
-    taken.add(c);
-    never.add(a);
-    never.add(c);
-    taken.remove(b);
+    taken.put(0, random_points(5000, 8.0, 4));
+    taken.put(1, b);
+    taken.put(2, c);
+    taken.put(0, a);
+    never.put(0, a);
+    never.put(1, c);
+    taken.withdraw(1);
     EXPECT_TRUE(same_bytes(taken.centroids(), never.centroids()));
     EXPECT_EQ(taken.points_out_of_extent(), 0u);
-    EXPECT_THROW(taken.remove(b), std::invalid_argument);
+    EXPECT_THROW(taken.withdraw(1), std::invalid_argument);
   }
+}
+
+TEST(VoxelCloud, ItsTilesAreAllOfIt) {
+  VoxelCloud cloud(0.01);
+  cloud.put(0, random_points(5000, 30.0, 1));
+  cloud.put(1, random_points(5000, 40.0, 2, false));
+  PointCloud together;
+  for (const VoxelCloud::TileNumber tile : cloud.tiles()) {
+    const PointCloud part = cloud.centroids_of(tile);
+    together.points.insert(together.points.end(), part.points.begin(), part.points.end());
+    together.intensity.insert(together.intensity.end(), part.intensity.begin(), part.intensity.end());
+  }
+  EXPECT_GT(cloud.tiles().size(), 20u);
+  EXPECT_TRUE(same_bytes(together, cloud.centroids()));
+  EXPECT_EQ(cloud.size(), together.size());
+  EXPECT_GT(cloud.size(), cloud.centroids(1).size());
 }
 
 }  // namespace

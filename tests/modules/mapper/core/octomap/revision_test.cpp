@@ -45,8 +45,10 @@ TEST(RevisableTree, AnySweepOfTenCanBeWithdrawnAndPutBack) {
     const std::string all = tree.ot_bytes();
     for (std::size_t without = 0; without < sweeps.size(); ++without) {
       tree.withdraw(without);
+      tree.settle();
       ASSERT_TRUE(tree.ot_bytes() == tree_of(sweeps, config, without)) << scene << ", sweep " << without;
       tree.replace(without, sweeps[without]);
+      tree.settle();
       ASSERT_TRUE(tree.ot_bytes() == all) << scene << ", sweep " << without;
     }
   }
@@ -62,6 +64,7 @@ TEST(RevisableTree, ASweepThatMovedLeavesNothingWhereItWas) {
   OccupancyTree tree(config_of(1));
   for (const MapPoints& sweep : wrong) tree.insert(sweep);
   for (const std::size_t i : {4u, 0u, 5u, 1u, 3u, 2u}) tree.replace(i, right[i]);
+  tree.settle();
   EXPECT_TRUE(tree.ot_bytes() == tree_of(right, config_of(1), right.size()));
 }
 
@@ -70,6 +73,7 @@ TEST(RevisableTree, WithoutSweepsItIsEmpty) {
   OccupancyTree tree(config_of(2));
   for (int i = 0; i < 3; ++i) tree.insert(view_of_a_room(random, 2.0));
   for (const std::size_t i : {1u, 0u, 2u}) tree.withdraw(i);
+  tree.settle();
   EXPECT_TRUE(tree.ot_bytes() == OccupancyTree(config_of(2)).ot_bytes());
   EXPECT_EQ(tree.size().nodes, 0u);
   tree.insert(view_of_a_room(random, 2.0));

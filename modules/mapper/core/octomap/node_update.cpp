@@ -1,0 +1,118 @@
+#include "modules/mapper/core/octomap/node_update.h"
+
+#include "common/math/repeatable.h"
+
+namespace scanway {
+namespace {
+
+using Words = std::span<const std::uint64_t>;
+
+float log_odds(double probability) { return static_cast<float>(repeatable::log(probability / (1.0 - probability))); }
+
+bool all(Words words) {
+  return std::all_of(words.begin(), words.end(), [](std::uint64_t word) { return word == ~std::uint64_t{0}; });
+}
+
+bool none(Words words) {
+  std::uint64_t any = 0;
+  for (const std::uint64_t word : words) any |= word;
+  return any == 0;
+}
+
+}  // namespace
+
+SensorModel::SensorModel() : hit(log_odds(0.7)), miss(log_odds(0.4)), least(log_odds(0.1192)), most(log_odds(0.971)) {}
+
+bool NodeUpdate::Cube::untouched() const { return none(free) && none(occupied); }
+
+void NodeUpdate::update(Node& node, const VoxelBrick& brick) {
+  if (node.is_new) node.log_odds() = 0.0f;
+  update_cube(node, {brick.free, brick.occupied});
+  node.is_new = false;
+}
+
+void NodeUpdate::update_cube(const Node& node, const Cube& cube) {
+  if (cube.free.size() == 1) return update_word(node, {cube.free[0], cube.occupied[0]});
+  if (node.is_leaf()) {
+    if (none(cube.occupied) && (all(cube.free) || at_bound(node, model_.least))) return add(node, model_.miss);
+    if (none(cube.free) && (all(cube.occupied) || at_bound(node, model_.most))) return add(node, model_.hit);
+    open(node);
+  }
+  for (std::size_t i = 0; i < 8; ++i) {
+    const Cube part = cube.child(i);
+    if (!part.untouched()) update_cube(child_of(node, i), part);
+  }
+  finish(node);
+}
+
+/// A cube of 4 voxels a side.
+void NodeUpdate::update_word(const Node& node, const SmallCube& cube) {
+  constexpr std::uint64_t kAll = ~std::uint64_t{0};
+  if (node.is_leaf()) {
+    if (cube.occupied == 0 && (cube.free == kAll || at_bound(node, model_.least))) return add(node, model_.miss);
+    if (cube.free == 0 && (cube.occupied == kAll || at_bound(node, model_.most))) return add(node, model_.hit);
+    open(node);
+  }
+  for (std::size_t i = 0; i < 8; ++i) {
+    const SmallCube part{cube.free >> 8 * i & 255, cube.occupied >> 8 * i & 255};
+    if ((part.free | part.occupied) != 0) update_byte(child_of(node, i), part);
+  }
+  finish(node);
+}
+
+/// A cube of 2 voxels a side, whose children are voxels.
+void NodeUpdate::update_byte(const Node& node, const SmallCube& cube) {
+  if (node.is_leaf()) {
+    if (cube.occupied == 0 && (cube.free == 255 || at_bound(node, model_.least))) return add(node, model_.miss);
+    if (cube.free == 0 && (cube.occupied == 255 || at_bound(node, model_.most))) return add(node, model_.hit);
+    open(node);
+  }
+  std::array<float, 8>& values = blocks_[node.children()].log_odds;
+  for (std::size_t i = 0; i < 8; ++i) {
+    const float before = values[i], start = before == before ? before : 0.0f;
+    const float after = model_.after(start, cube.occupied >> i & 1 ? model_.hit : model_.miss);
+    values[i] = (cube.free | cube.occupied) >> i & 1 ? after : before;
+  }
+  finish(node);
+}
+
+Node NodeUpdate::child_of(const Node& node, std::size_t i) {
+  NodeBlock& block = blocks_[node.children()];
+  const bool is_new = !block.has(i);
+  if (is_new) block.log_odds[i] = 0.0f;
+  return {&block, i, is_new};
+}
+
+void NodeUpdate::finish(const Node& node) {
+  const NodeBlock& block = blocks_[node.children()];
+  bool alike = true;
+  BlockNumber any = 0;
+  float most = -std::numeric_limits<float>::infinity();
+  for (std::size_t i = 0; i < 8; ++i) {
+    alike &= block.log_odds[i] == block.log_odds[0];
+    any |= block.children[i];
+    most = block.log_odds[i] > most ? block.log_odds[i] : most;
+  }
+  node.log_odds() = most;
+  if (!alike || any != 0) return;
+  supply_.give_back(node.children());
+  node.children() = 0;
+}
+
+void NodeUpdate::finish_or_remove(const Node& node) {
+  const NodeBlock& block = blocks_[node.children()];
+  const auto exists = [](float value) { return !std::isnan(value); };
+  if (std::any_of(block.log_odds.begin(), block.log_odds.end(), exists)) return finish(node);
+  remove(node);
+}
+
+void NodeUpdate::remove(const Node& node) {
+  if (!node.is_leaf()) {
+    for (std::size_t i = 0; i < 8; ++i) remove(place_of(node, i));
+    supply_.give_back(node.children());
+  }
+  node.children() = 0;
+  node.log_odds() = NodeBlock::kNoNode;
+}
+
+}  // namespace scanway
