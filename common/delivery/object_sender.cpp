@@ -79,10 +79,19 @@ void ObjectSender::pump(SteadyTime now) {
   bucket_.refill(now);
   while (!asked_.empty() || !fresh_.empty()) {
     std::deque<Piece>& queue = asked_.empty() ? fresh_ : asked_;
+    if (limits_.drop_superseded && is_superseded(queue.front())) {
+      queue.pop_front();
+      continue;
+    }
     const auto& [held, piece] = queue.front();
     if (!bucket_.take(static_cast<double>(held->pieces[piece].size()))) return;
     send_front(queue, asked_.empty() ? counters_.pieces_sent : counters_.pieces_resent);
   }
+}
+
+bool ObjectSender::is_superseded(const Piece& piece) const {
+  const auto newest = held_.find({piece.first->channel, piece.first->key});
+  return newest != held_.end() && newest->second != piece.first;
 }
 
 void ObjectSender::send_front(std::deque<Piece>& queue, std::uint64_t& counter) {

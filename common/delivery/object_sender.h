@@ -25,6 +25,7 @@ struct SenderLimits {
   double burst_bytes = 16e3;
   std::size_t max_held_bytes = std::size_t{1} << 30;  ///< Of all objects that are kept for latecomers.
   std::size_t indices_a_turn = 20;                    ///< Messages of one announce().
+  bool drop_superseded = false;                       ///< What waits of a version is not sent once there is a newer.
 };
 
 struct SenderCounters {
@@ -75,6 +76,7 @@ class ObjectSender {
 
   Held& hold(std::string_view channel, const piece_t& piece);
   void drop_oldest();
+  bool is_superseded(const Piece& piece) const;
   void send_front(std::deque<Piece>& queue, std::uint64_t& counter);
   std::vector<object_index_t> next_indices(SteadyTime now);
 

@@ -88,7 +88,8 @@ Digests read_list(const std::string& folder) {
   TextLines lines(text);
   while (const auto line = lines.next()) {
     auto entry = entry_of(*line);
-    if (!entry) fail(path + ":" + std::to_string(lines.number()), "is no line XXH3 (FILE) = DIGEST; save the map again");
+    if (!entry)
+      fail(path + ":" + std::to_string(lines.number()), "is no line XXH3 (FILE) = DIGEST; save the map again");
     digests.insert(std::move(*entry));
   }
   if (digests.empty()) fail(path, "lists no file; save the map again");

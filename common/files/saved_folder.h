@@ -9,9 +9,9 @@
 
 namespace scanway {
 
-/// Files in a folder that belong together, replaced all at once. They are listed with their XXH3-64 in `checksums.xxh3`,
-/// which `xxhsum -c checksums.xxh3` checks too. Other files of the folder are left alone, but a folder within it that
-/// holds listed files holds no others.
+/// Files in a folder that belong together, replaced all at once. They are listed with their XXH3-64 in
+/// `checksums.xxh3`, which `xxhsum -c checksums.xxh3` checks too. Other files of the folder are left alone, but a
+/// folder within it that holds listed files holds no others.
 ///
 /// A save writes every file into `.saving/`, beside the old ones, and then moves the new list into its place: with that
 /// one step the new files are the ones that count. What follows only moves them to where they belong, and is made up

@@ -9,9 +9,7 @@
 
 namespace scanway {
 
-/// Writes everything that a map and a plan are good for: map.pcd, map.ply, map.bt, map.ot, costmap.pgm with
-/// costmap.yaml, trajectory.tum, path.csv, and the pictures map.png, costmap.png, path.png. Returns the digests of
-/// `map`, `octomap`, `costmap` and `path`, in hexadecimal. Throws InputError when a file cannot be written.
+/// What write_map_products() does, and path.csv and path.png: returns the digest of `path` too.
 std::map<std::string, std::string> write_products(const MapperNode& mapper, const PlannerNode& planner,
                                                   const ProductFolder& folder);
 

@@ -87,9 +87,9 @@ TEST(SavedFolder, NamesTheFileThatIsDamagedOrMissing) {
 TEST(SavedFolder, RefusesAListThatIsNone) {
   const ScratchFolder scratch;
   EXPECT_NE(refusal(scratch.path()).find("is no saved map"), std::string::npos);
-  for (const char* line : {"", "what is this\n", "XXH3 (../../etc/passwd) = 0123456789abcdef\n",
-                           "XXH3 (/etc/passwd) = 0123456789abcdef\n", "XXH3 (a) = 0123456789abcdeg\n",
-                           "XXH3 (a) = 0123\n", "XXH3 (.saving/a) = 0123456789abcdef\n"}) {
+  for (const char* line :
+       {"", "what is this\n", "XXH3 (../../etc/passwd) = 0123456789abcdef\n", "XXH3 (/etc/passwd) = 0123456789abcdef\n",
+        "XXH3 (a) = 0123456789abcdeg\n", "XXH3 (a) = 0123\n", "XXH3 (.saving/a) = 0123456789abcdef\n"}) {
     write_text(scratch / "checksums.xxh3", line);
     EXPECT_NE(refusal(scratch.path()).find("checksums.xxh3"), std::string::npos) << line;
   }
