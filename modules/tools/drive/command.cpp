@@ -139,6 +139,7 @@ int follow_sweep(Bridge& bridge, bool registered) {
     }
     if (mark->mark == sweep_mark_t::STARTED) begun_at = mark->utime;
     if (mark->mark == sweep_mark_t::ENDED) {
+      if (begun_at == 0) begun_at = mark->utime - kSteadySecond;  // Its start was not heard; its last points were then.
       std::puts(fmt::format("sweep {} has ended", sweep).c_str());
       std::fflush(stdout);
       return registered ? follow_registration(bridge, begun_at) : 0;
