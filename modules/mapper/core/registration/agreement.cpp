@@ -46,7 +46,7 @@ struct View {
   }
 
   double surface_fit(std::size_t samples) const {
-    const Surfaces& surfaces = samples < from.surfaces.count() ? from.few_surfaces : from.surfaces;
+    const Surfaces& surfaces = from.surfaces_for(samples);
     double met = 0.0, visible = 0.0;
     for (std::size_t i = 0; i < surfaces.count(); ++i) {
       const Eigen::Vector3f p = R * surfaces.centre[i] + t, n = R * surfaces.normal[i];

@@ -20,7 +20,7 @@ constexpr float kNormalRadius = 0.9f;   // three voxels
 constexpr float kFeatureRadius = 1.5f;  // five voxels
 constexpr float kSurfaceReach = 1.0f;   // cell of the surfaces' index
 constexpr std::size_t kKeypoints = 3000;
-constexpr std::size_t kFewSurfaces = 1200;
+constexpr std::size_t kFewSurfaces = 1200, kFewestSurfaces = 500;
 constexpr std::size_t kMinPoints = 200;
 constexpr std::size_t kMinSurfaces = 20;
 
@@ -75,6 +75,7 @@ PreparedScan PreparedScan::make(const PointCloud& cloud, const Eigen::Vector3d& 
   begin_stage(stages, "surfaces");
   data->surfaces = choose_surfaces(fine);
   data->few_surfaces = thin_surfaces(data->surfaces, kFewSurfaces);
+  data->fewest_surfaces = thin_surfaces(data->surfaces, kFewestSurfaces);
   data->surface_grid = CellGrid(data->surfaces.centre, kSurfaceReach);
   data->defect = defect_of(fine, data->surfaces);
   if (data->defect.empty()) data->keypoints = find_keypoints(fine, stages);

@@ -14,9 +14,14 @@ struct PreparedScan::Data {
   registration::CellGrid fine;                       ///< Voxel centroids at 0.1 m.
   registration::RangeImage image;
   registration::Surfaces surfaces;
-  registration::Surfaces few_surfaces;  ///< For the first, coarse rounds of the ICP.
+  registration::Surfaces few_surfaces, fewest_surfaces;  ///< For the first, coarse rounds of the ICP.
   registration::CellGrid surface_grid;
   registration::Keypoints keypoints;
+  /// As many of them as go with that many sampled points.
+  const registration::Surfaces& surfaces_for(std::size_t samples) const {
+    if (samples <= fewest_surfaces.count()) return fewest_surfaces;
+    return samples < surfaces.count() ? few_surfaces : surfaces;
+  }
   std::string defect;  ///< Why the scan cannot be registered; empty if it can.
 };
 

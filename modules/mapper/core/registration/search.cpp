@@ -27,7 +27,8 @@ std::vector<Candidate> look(std::vector<Candidate> candidates, const PreparedSca
   for_blocks(candidates.size(), 1, [&](std::size_t i, std::size_t, std::size_t) {
     Candidate& c = candidates[i];
     c.T_target_source =
-        run_icp(source.few_surfaces, {target.surfaces, target.surface_grid}, c.T_target_source, round).T_target_source;
+        run_icp(source.surfaces_for(samples), {target.surfaces, target.surface_grid}, c.T_target_source, round)
+            .T_target_source;
     c.evidence.agreement = assess(source, target, c.T_target_source, samples);
   });
   std::erase_if(candidates, [&](const Candidate& c) {

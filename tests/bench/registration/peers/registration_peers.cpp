@@ -1,6 +1,6 @@
 // Coarse registration and the fine step beside those of PCL and Open3D on the same two clouds, one thread, CPU seconds:
 // from the raw clouds to the pose. The peers know nothing of the tracker; they have no way to be told.
-//   registration_peers [--data ../shared/data] [--thin N] [--skip-sac-ia]
+//   registration_peers [--data ../shared/data] [--thin N] [--skip-sac-ia] [--skip-yard]
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -123,14 +123,16 @@ void compare_fine(const Case& c) {
 int main(int argc, char** argv) {
   std::string data = "../shared/data";
   int thin = 1;
-  bool skip_sac_ia = false;
+  bool skip_sac_ia = false, skip_yard = false;
   CLI::App app{"Registration beside PCL's and Open3D's"};
   app.add_option("--data", data);
   app.add_option("--thin", thin, "Of the simulated sweeps: only every thin-th line and beam");
   app.add_flag("--skip-sac-ia", skip_sac_ia, "It takes half a minute a pair");
+  app.add_flag("--skip-yard", skip_yard, "Only the real halls");
   CLI11_PARSE(app, argc, argv);
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
-  const std::vector<Case> cases = {hall_case(data), yard_case(10.0, thin)};
+  std::vector<Case> cases = {hall_case(data)};
+  if (!skip_yard) cases.push_back(yard_case(10.0, thin));
   const char* head = "| clouds | method | CPU s | times ours | error |\n|---|---|---|---|---|\n";
   std::printf("Coarse, from clouds to pose:\n%s", head);
   for (const Case& c : cases) compare_coarse(c, !skip_sac_ia);
