@@ -163,7 +163,7 @@ class Verifier {
     const auto verdict = recorded_verdict(sweep);
     // A mapper that was started without its state begins another map.
     const bool begins = verdict && verdict->accepted && verdict->target_name.empty();
-    if (begins && rerun_->version().version > 0) rerun_ = std::make_unique<Rerun>(mapper_robot_, poses_);
+    if (begins && rerun_->version().version > 0) rerun_ = std::make_unique<Rerun>(mapper_robot_, log_, poses_);
     const std::int64_t before = rerun_->version().version;
     rerun_->add(sweep);
     ++result_.computed;
