@@ -1,42 +1,15 @@
 #include <tbb/global_control.h>
 
 #include <cstdio>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "modules/mapper/core/map.h"
-#include "tests/bench/mapping/products/cpu_time.h"
+#include "tests/bench/mapping/products/cpu_stages.h"
 #include "tests/bench/mapping/products/embodiments.h"
 #include "tests/bench/mapping/products/voxel_grids.h"
 #include "tests/bench/mapping/yard/yard.h"
 
 namespace scanway::bench {
 namespace {
-
-/// CPU seconds by stage.
-class CpuStages : public StageListener {
- public:
-  void begin(std::string_view name) override {
-    const double now = cpu_s();
-    if (!stages_.empty()) stages_.back().second += now - began_;
-    began_ = now;
-    stages_.emplace_back(name, 0.0);
-  }
-  void print(int sweep) const {
-    double total = 0.0;
-    for (const auto& [name, seconds] : stages_) total += seconds;
-    std::printf("| %d | %.3f |", sweep, total);
-    for (const auto& [name, seconds] : stages_) {
-      if (!name.empty()) std::printf(" %s %.3f", name.c_str(), seconds);
-    }
-    std::puts(" |");
-  }
-
- private:
-  std::vector<std::pair<std::string, double>> stages_;
-  double began_ = 0.0;
-};
 
 /// Full sweeps of the yard into all products at known poses.
 void time_products(int sweeps) {
@@ -54,7 +27,7 @@ void time_products(int sweeps) {
     sweep.sensor_height_m = points.origin.z();
     CpuStages stages;
     map.merge(sweep, Pose::Identity(), &stages);
-    stages.print(i + 1);
+    std::printf("| %d | %.3f |%s |\n", i + 1, stages.total_s(), stages.text().c_str());
   }
 }
 

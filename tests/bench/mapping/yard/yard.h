@@ -14,4 +14,10 @@ MapPoints yard_sweep(int number, int steps_round, int steps_up);
 constexpr int kFullRound = 2400;
 constexpr int kFullUp = 1420;
 
+/// The same of a site of 100 m x 60 m behind walls of 4 m (over them a beam meets nothing), which the robot drives in
+/// five lanes to and fro, with ten stops in each.
+constexpr double kSiteLane_m = 11.0;
+constexpr int kSiteStops = 10;
+MapPoints site_sweep(int number, int steps_round, int steps_up);
+
 }  // namespace scanway::bench
