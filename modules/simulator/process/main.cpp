@@ -117,22 +117,39 @@ void hear_faults(Console& console, RobotInWorld& robot, Utime now) {
   }
 }
 
+/// What people should know, once.
+class News {
+ public:
+  void tell(RobotInWorld& robot) {
+    for (const std::string& line : robot.take_news()) spdlog::info("fault {}", line);
+    if (robot.obstacle() != obstacle_) {
+      obstacle_ = robot.obstacle();
+      if (!obstacle_.empty()) spdlog::warn("the robot is held: it would stand {}", obstacle_);
+    }
+    if (robot.dropped_scans() == dropped_ || steady_now() < tell_again_) return;
+    spdlog::warn("this machine is too slow for --speed: the laser has dropped {} scans", robot.dropped_scans());
+    dropped_ = robot.dropped_scans();
+    tell_again_ = steady_now() + kSteadySecond;
+  }
+
+ private:
+  std::string obstacle_;
+  std::int64_t dropped_ = 0;
+  SteadyTime tell_again_ = 0;
+};
+
 /// Lives until it is asked to end.
 void live(RobotInWorld& robot, LcmBus& bus, double speed) {
   const SteadyTime began = steady_now();
   Console console;
-  std::string obstacle;
+  News news;
   for (SteadyTime truth_due = began; !asked_to_end();) {
     robot.wait(1);
     const SteadyTime now = steady_now();
     const Utime clock = std::llround(static_cast<double>(now - began) * speed);
     hear_faults(console, robot, clock);
     robot.run(clock);
-    for (const std::string& line : robot.take_news()) spdlog::info("fault {}", line);
-    if (robot.obstacle() != obstacle) {
-      obstacle = robot.obstacle();
-      if (!obstacle.empty()) spdlog::warn("the robot is held: it would stand {}", obstacle);
-    }
+    news.tell(robot);
     if (now < truth_due) continue;
     truth_due = now + kMicrosecondsPerSecond;
     publish_truth(bus, robot);

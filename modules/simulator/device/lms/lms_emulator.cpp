@@ -5,8 +5,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "common/random/random.h"
-
 namespace scanway::simulator {
 namespace {
 
@@ -17,10 +15,8 @@ constexpr unsigned kOutputs = 0x38;
 
 constexpr unsigned kDenied = 1, kNoMethod = 2, kNoVariable = 3, kTooFewValues = 8, kNoCommand = 12, kNoEvent = 15;
 
-constexpr Utime kAfterLastBeam = 18'900;     // Recorded scans are sent 40.2 to 41.0 ms after their first beam.
 constexpr std::int64_t kMostWaiting = 1000;  // Scans, after a pause; earlier ones are lost, as the counter says.
 constexpr std::int64_t kAtATime = 8;         // Scans; the other devices have their turn in between.
-constexpr double kJitter_us = 80.0;          // Recorded scans come every 39.7 to 40.4 ms.
 
 unsigned level_of(unsigned level, std::uint32_t password) {
   const bool right = (level == 2 && password == 0xB21ACE26) || (level == 3 && password == 0xF4724744) ||
@@ -88,18 +84,18 @@ std::string LmsEmulator::read(const HostRequest& request, Utime now) {
   if (name == "ODpwrc") return out.u32(kPowerOns).frame();
   if (name == "LCMstate") return out.u8(static_cast<unsigned>(window_)).frame();
   if (name == "FREchoFilter") return out.u8(echo_filter_).frame();
+  const ScanMode& mode = mirror_.mode();
   if (name == "LMPscancfg") {
-    out.u32(mode_.frequency).u16(1).u32(mode_.resolution).i32(mode_.start_angle).i32(mode_.stop_angle);
-    return out.frame();
+    return out.u32(mode.frequency).u16(1).u32(mode.resolution).i32(mode.start_angle).i32(mode.stop_angle).frame();
   }
   if (name == "LMPoutputRange") {
-    return out.u16(1).u32(mode_.resolution).i32(sector_start_).i32(sector_stop_).frame();
+    return out.u16(1).u32(mode.resolution).i32(mirror_.sector_start()).i32(mirror_.sector_stop()).frame();
   }
   if (name == "LMDscandatacfg") {
-    write_content(out);
+    content_.write(out);
     return out.frame();
   }
-  if (name == "LMDscandata") return encode(scan(last_turn_before(now), now), request.cola, "sRA");
+  if (name == "LMDscandata") return encode(scan(mirror_.last_sent_before(now), now), request.cola, "sRA");
   if (name == "LIDinputstate") {
     out.u16(0).u32(static_cast<std::uint32_t>(now)).u32(0).u16(1);
     write_date(out, date_of(now + clock_offset_));
@@ -127,12 +123,12 @@ std::string LmsEmulator::write(const HostRequest& request) {
   if (name == "FREchoFilter") {
     echo_filter_ = values.u8();
   } else if (name == "LMDscandatacfg") {
-    read_content(values);
+    content_ = ScanContent::read(values);
   } else if (name == "LMPoutputRange") {
     values.u16();
     values.u32();
-    sector_start_ = values.i32();
-    sector_stop_ = values.i32();
+    const std::int32_t start = values.i32();
+    mirror_.set_sector(start, values.i32());
   } else {
     values.u8();
   }
@@ -168,7 +164,7 @@ std::string LmsEmulator::call(const HostRequest& request, Utime now) {
     clock_offset_ = since.count() + values.u32() - now;
     return out.u8(1).frame();
   }
-  if (measuring_ != (name == "LMCstartmeas")) next_turn_ = last_turn_before(now) + 1;
+  if (measuring_ != (name == "LMCstartmeas")) next_turn_ = mirror_.last_sent_before(now) + 1;
   measuring_ = name == "LMCstartmeas";
   return out.u8(0).frame();
 }
@@ -183,8 +179,8 @@ std::string LmsEmulator::set_mode(const HostRequest& request, Utime now) {
   wanted.stop_angle = values.i32();
   const unsigned error = scan_mode_error(wanted);
   if (error == 0) {
-    mode_ = wanted;
-    next_turn_ = last_turn_before(now) + 1;
+    mirror_.set_mode(wanted);
+    next_turn_ = mirror_.last_sent_before(now) + 1;
   }
   TelegramWriter out(request.cola, "sAN", request.name);
   out.u8(error).u32(wanted.frequency).u16(1).u32(wanted.resolution).i32(wanted.start_angle).i32(wanted.stop_angle);
@@ -200,50 +196,19 @@ std::string LmsEmulator::subscribe(const HostRequest& request, Utime now) {
   if (name == "LMDscandata") {
     subscribed_ = on == 1;
     cola_ = request.cola;
-    next_turn_ = last_turn_before(now) + 1;
+    next_turn_ = mirror_.last_sent_before(now) + 1;
   }
   return TelegramWriter(request.cola, "sEA", name).u8(on).frame();
-}
-
-void LmsEmulator::write_content(TelegramWriter& out) const {
-  out.bits(content_.channels).u8(content_.remission).u8(content_.remission_resolution).u8(content_.unit);
-  out.bits(content_.encoders).u8(content_.position).u8(content_.name).u8(content_.comment).u8(content_.time);
-  out.u16(content_.every);
-}
-
-void LmsEmulator::read_content(HostValues& values) {
-  Content next;
-  next.channels = values.bits();
-  next.remission = values.u8();
-  next.remission_resolution = values.u8();
-  next.unit = values.u8();
-  next.encoders = values.bits();
-  next.position = values.u8();
-  next.name = values.u8();
-  next.comment = values.u8();
-  next.time = values.u8();
-  next.every = std::max(1U, values.u16());
-  content_ = next;
-}
-
-Utime LmsEmulator::start_of(std::int64_t number) const {
-  Random random(static_cast<std::uint64_t>(number) * 0x9E3779B97F4A7C15U);
-  return std::llround(static_cast<double>(number) * mode_.period_us() + kJitter_us * (2.0 * random.uniform() - 1.0));
-}
-
-/// The last one that has been sent, or would have been.
-std::int64_t LmsEmulator::last_turn_before(Utime now) const {
-  auto turn = static_cast<std::int64_t>(static_cast<double>(now) / mode_.period_us()) + 1;
-  const auto field_us = static_cast<Utime>(mode_.period_us() * 190.0 / 360.0);
-  while (turn > 0 && start_of(turn) + field_us + kAfterLastBeam > now) --turn;
-  return turn;
 }
 
 std::vector<std::string> LmsEmulator::tick(Utime now) {
   std::vector<std::string> frames;
   if (!measuring_ || !subscribed_) return frames;
-  const std::int64_t last = last_turn_before(now);
-  next_turn_ = std::max(next_turn_, last - kMostWaiting);
+  const std::int64_t last = mirror_.last_sent_before(now);
+  if (const std::int64_t late = last - kMostWaiting - next_turn_; late > 0) {
+    next_turn_ += late;
+    dropped_ += late / content_.every;
+  }
   for (const std::int64_t end = std::min(last + 1, next_turn_ + kAtATime); next_turn_ < end; ++next_turn_) {
     if (next_turn_ % content_.every != 0) continue;
     frames.push_back(encode(scan(next_turn_, now), cola_));
@@ -252,47 +217,24 @@ std::vector<std::string> LmsEmulator::tick(Utime now) {
   return frames;
 }
 
-ScanTelegram LmsEmulator::scan(std::int64_t turn, Utime now) {
+ScanTelegram LmsEmulator::scan(std::int64_t number, Utime now) {
   constexpr unsigned kAllEchoes = 1;
-  MirrorTurn mirror;
-  mirror.number = turn;
-  mirror.start = start_of(turn);
-  mirror.sector = sector_of(mode_, sector_start_, sector_stop_);
-  mirror.step_deg = mode_.step_deg();
-  mirror.beam_period_us = mode_.period_us() * mirror.step_deg / 360.0;
-  const ScannedLine line = look_(mirror);
-
+  const MirrorTurn turn = mirror_.turn(number);
+  const ScannedLine line = look_(turn);
+  const auto told = [&](Utime time) { return static_cast<Utime>(static_cast<double>(time) / speed_); };
+  const auto told_rate = [&](double rate) { return static_cast<std::uint32_t>(std::lround(rate * speed_)); };
   ScanTelegram scan;
   scan.status = (first_after_run_ ? 1U : 0U) | status_of(window_);
   scan.telegram_counter = telegrams_++;
-  scan.scan_counter = static_cast<std::uint16_t>(turn);
-  const auto told = [&](Utime time) { return static_cast<Utime>(static_cast<double>(time) / speed_); };
-  const auto told_rate = [&](double rate) { return static_cast<std::uint32_t>(std::lround(rate * speed_)); };
-  scan.start_us = static_cast<std::uint32_t>(told(mirror.start));
-  const auto field_us = static_cast<Utime>(mode_.period_us() * 190.0 / 360.0);
-  scan.sent_us = static_cast<std::uint32_t>(told(std::min(now, mirror.start + field_us + kAfterLastBeam)));
+  scan.scan_counter = static_cast<std::uint16_t>(number);
+  scan.start_us = static_cast<std::uint32_t>(told(turn.start));
+  scan.sent_us = static_cast<std::uint32_t>(told(std::min(now, mirror_.sent_at(number))));
   scan.outputs = kOutputs;
-  scan.scan_frequency = told_rate(mode_.frequency);
-  scan.measurement_frequency = told_rate(mode_.measurement_frequency());
+  scan.scan_frequency = told_rate(mirror_.mode().frequency);
+  scan.measurement_frequency = told_rate(mirror_.mode().measurement_frequency());
   if (content_.encoders != 0) scan.encoders.resize(1);
-  ScanTelegram::Channel channel;
-  channel.start_angle = static_cast<std::int32_t>(std::lround(mirror.sector.start_deg * 1e4));
-  channel.angular_step = static_cast<std::uint16_t>(mode_.resolution);
-  for (int echo = 1; echo <= (echo_filter_ == kAllEchoes ? 5 : 1); ++echo) {
-    // There is one echo of each beam: the others are empty.
-    const auto beams = static_cast<std::size_t>(mirror.sector.beams);
-    channel.content = "DIST" + std::to_string(echo);
-    channel.scale = static_cast<float>(line.scale);
-    channel.counts = echo == 1 ? line.ranges : std::vector<std::uint16_t>(beams);
-    scan.ranges.push_back(channel);
-    if (content_.remission == 0) continue;
-    channel.content = "RSSI" + std::to_string(echo);
-    channel.scale = 1.0F;
-    channel.counts.assign(beams, 0);
-    if (echo == 1) channel.counts.assign(line.remissions.begin(), line.remissions.end());
-    scan.remissions.push_back(channel);
-  }
-  if (content_.time != 0) scan.date = date_of(mirror.start + clock_offset_);
+  add_channels(scan, line, turn, echo_filter_ == kAllEchoes ? 5 : 1, content_.remission != 0);
+  if (content_.time != 0) scan.date = date_of(turn.start + clock_offset_);
   return scan;
 }
 

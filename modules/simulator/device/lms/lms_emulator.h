@@ -8,28 +8,12 @@
 #include <vector>
 
 #include "common/time/utime.h"
-#include "modules/simulator/device/lms/scan_mode.h"
+#include "modules/simulator/device/lms/mirror.h"
+#include "modules/simulator/device/lms/scan_content.h"
 #include "modules/simulator/device/lms/scan_telegram.h"
 #include "modules/simulator/device/lms/telegram.h"
 
 namespace scanway::simulator {
-
-/// What the scanner sees in one turn of its mirror.
-struct ScannedLine {
-  double scale = 1.0;                 ///< Millimetres of a count.
-  std::vector<std::uint16_t> ranges;  ///< One a beam of the sector; below 16: none.
-  std::vector<std::uint8_t> remissions;
-};
-
-/// A turn of the mirror: its beam i of the sector leaves at `start` + (first + i) * beam_period_us, at the angle
-/// start_deg + i step_deg of the device, whose 90 degrees are straight ahead.
-struct MirrorTurn {
-  std::int64_t number = 0;
-  Utime start = 0;  ///< Of the whole field, on the scanner's clock.
-  ScanSector sector;
-  double step_deg = 0.0;
-  double beam_period_us = 0.0;
-};
 
 /// An LMS511 as the host hears it: bytes in, bytes out, its own clock as an argument (microseconds since it was
 /// switched on). One connection at a time. It answers in the dialect of the request.
@@ -58,43 +42,31 @@ class LmsEmulator {
   void tell_host_time(double speed) { speed_ = speed; }
 
   bool measuring() const { return measuring_; }
-  const ScanMode& mode() const { return mode_; }
-  /// When turn `number` of the mirror begins.
-  Utime start_of(std::int64_t number) const;
+  const Mirror& mirror() const { return mirror_; }
+  /// Scans that were due and never sent, since too many of them waited for a host, or an emulator, that is too slow.
+  std::int64_t dropped() const { return dropped_; }
   /// Contents of a variable that it only keeps (CoLa-B).
   void keep(const std::string& name, const std::string& value) { kept_[name] = value; }
 
  private:
-  struct Content {
-    unsigned channels = 1;
-    unsigned remission = 1, remission_resolution = 0, unit = 0;
-    unsigned encoders = 0;
-    unsigned position = 0, name = 0, comment = 0, time = 1;
-    unsigned every = 1;
-  };
-
   std::string answer(const HostRequest& request, Utime now);
   std::string read(const HostRequest& request, Utime now);
   std::string write(const HostRequest& request);
   std::string call(const HostRequest& request, Utime now);
   std::string subscribe(const HostRequest& request, Utime now);
-  void write_content(TelegramWriter& telegram) const;
-  void read_content(HostValues& values);
   std::string set_mode(const HostRequest& request, Utime now);
-  std::int64_t last_turn_before(Utime now) const;
-  ScanTelegram scan(std::int64_t turn, Utime now);
+  ScanTelegram scan(std::int64_t number, Utime now);
 
   Look look_;
   HostRequests requests_;
   Cola cola_ = Cola::b;  // In which scans are sent.
-  ScanMode mode_;
-  std::int32_t sector_start_ = -50000, sector_stop_ = 1850000;
+  Mirror mirror_;
   unsigned echo_filter_ = 0;
-  Content content_;
+  ScanContent content_;
   std::map<std::string, std::string> kept_;
   Utime clock_offset_ = 0;  // Of the date to the time since it was switched on.
   bool logged_in_ = false, measuring_ = true, subscribed_ = false, first_after_run_ = false;
-  std::int64_t next_turn_ = 0;
+  std::int64_t next_turn_ = 0, dropped_ = 0;
   double speed_ = 1.0;
   Window window_ = Window::clean;
   std::uint16_t telegrams_ = 0;

@@ -46,8 +46,9 @@ ScannedLine LaserInWorld::look(const MirrorTurn& turn, const PanTiltModule& pan,
   if (turn.number % thin_ != 0) return line;
   for_blocks((beams + thin - 1) / thin, kBeamsAtOnce, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t i = begin * thin; i < beams && i < end * thin; i += thin) {
-      const int beam = turn.sector.first + static_cast<int>(i);
-      const Utime time = turn.start + static_cast<Utime>(beam * turn.beam_period_us);
+      const int beam = static_cast<int>(turn.sector.before) + static_cast<int>(i);
+      const double before = turn.sector.before + static_cast<double>(i);
+      const Utime time = turn.start + static_cast<Utime>(before * turn.beam_period_us);
       const Pose X_world_laser = X_world_base_ * X_base_laser(pan.angle(time), tilt.angle(time));
       const double angle = radians(1) * (turn.sector.start_deg + static_cast<double>(i) * turn.step_deg - kAhead_deg);
       const BeamReading reading = model.read(X_world_laser, angle, static_cast<double>(time),

@@ -59,6 +59,8 @@ class RobotInWorld {
   /// nothing.
   const std::string& obstacle() const { return driven_.obstacle(); }
   std::uint16_t lms_port() const { return lms_end_.port(); }
+  /// Scans that it had no time for.
+  std::int64_t dropped_scans() const { return lms_.dropped(); }
 
  private:
   void run_lms(Utime now);

@@ -1,5 +1,6 @@
 #include "modules/simulator/device/lms/lms_emulator.h"
 
+#include <array>
 #include <map>
 #include <sstream>
 
@@ -264,6 +265,34 @@ TEST(LmsEmulator, AnotherModeAndASector) {
   EXPECT_EQ(channel.start_angle, 0);
   EXPECT_EQ(scans.back().scan.scan_frequency, 5000U);
   EXPECT_EQ(scans.back().scan.measurement_frequency, 540U);
+}
+
+TEST(LmsEmulator, InterlacedTurnsBeginWhereTheRecordedOnesDo) {
+  ScanMode mode;
+  mode.frequency = 10000;
+  mode.resolution = 1667;
+  ASSERT_EQ(scan_mode_error(mode), 0U);
+  EXPECT_EQ(mode.measurement_frequency(), 540U);
+  const std::array<std::pair<std::int32_t, int>, 4> recorded = {
+      {{-50000, 286}, {-46666, 285}, {-48333, 285}, {-44999, 285}}};
+  for (std::int64_t turn = 0; turn < 8; ++turn) {
+    const ScanSector sector = sector_of(mode, -50000, 1850000, turn);
+    EXPECT_EQ(sector.written_start, recorded[static_cast<std::size_t>(turn % 4)].first);
+    EXPECT_EQ(sector.beams, recorded[static_cast<std::size_t>(turn % 4)].second);
+  }
+}
+
+TEST(LmsEmulator, ScansThatItHasNoTimeForAreCounted) {
+  LmsEmulator lms(plain_line);
+  lms.receive("\x02sEN LMDscandata 1\x03", 0);
+  Utime now = 100'000;
+  std::size_t sent = lms.tick(now).size();
+  EXPECT_EQ(lms.dropped(), 0);
+  now += 60 * kMicrosecondsPerSecond;                           // Nobody lets it run.
+  const std::int64_t due = lms.mirror().last_sent_before(now);  // Since turn 1, the first after it was asked for them.
+  for (std::size_t more = 1; more > 0; sent += more) more = lms.tick(now).size();
+  EXPECT_GT(lms.dropped(), 400);
+  EXPECT_EQ(lms.dropped() + static_cast<std::int64_t>(sent), due);
 }
 
 }  // namespace
