@@ -23,6 +23,7 @@ struct PlacedSweep {
   std::optional<Eigen::Quaterniond> R_world_sweep;
   int session = 0;  ///< Trackers of two sessions share no heading.
   Pose X_map_sweep = Pose::Identity();
+  bool stood_still = false;  ///< The robot, while it was taken, as another sweep confirms.
 };
 
 /// Where the tracker says that up is, in the sweep's frame.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "modules/mapper/core/placement_reason.h"
+#include "modules/mapper/core/sweep_movement.h"
 
 namespace scanway {
 namespace {
@@ -25,11 +26,9 @@ const Link& best_of(const std::vector<Link>& links, const GraphSolution& solutio
   return *best;
 }
 
-/// While `sweep` was taken, by what it was first registered to.
-Movement movement_of(const Sweep& sweep, const PlacedSweep& placed, const Link& link, const PlacedSweep& target) {
-  const Pose& T = link.registration.T_target_source;
-  return {robot_movement(DirectionTimes(sweep), placed.scan.data(), target.scan.data(), T),
-          scene_movement(placed.scan.data(), target.scan.data(), T)};
+void report_against(const std::string& target, const RegistrationResult& registration, SweepResult& result) {
+  result.target = target;
+  result.registration = registration;
 }
 
 }  // namespace
@@ -108,16 +107,15 @@ SweepResult Mapper::place_among(const Sweep& sweep, PlacedSweep placed, StageLis
   const bool continued = map.back().session != placed.session;
   const Location location = locator_.locate(placed, map, stages);
   if (location.links.empty()) {
-    result.target = map[*location.refused_by].name;
-    result.registration = *location.refusal;
+    report_against(map[*location.refused_by].name, *location.refusal, result);
     result.reason = said_of_refusal(location, map, continued);
     return result;
   }
   const Link& first = location.links.front();
-  result.target = map[first.target].name;
-  result.registration = first.registration;
+  report_against(map[first.target].name, first.registration, result);
   begin_stage(stages, "movement");
-  result.movement = movement_of(sweep, placed, first, map[first.target]);
+  result.movement = movement_of(sweep, placed, location.links, map);
+  placed.stood_still = result.movement.robot.known && !result.movement.robot.moved;
   if (breaks_sweep(result.movement.robot)) {
     result.reason = "No one pose is right for all of the sweep." + said_of(result.movement);
     return result;
@@ -128,8 +126,7 @@ SweepResult Mapper::place_among(const Sweep& sweep, PlacedSweep placed, StageLis
     return result;
   }
   const Link& best = best_of(location.links, graph_.solution());
-  result.target = map[best.target].name;
-  result.registration = best.registration;
+  report_against(map[best.target].name, best.registration, result);
   result.verdict = Verdict::accepted;
   result.reason = best.registration.reason + said_of_links(location.links, graph_) + said_of(result.movement);
   result.X_map_sweep = map.back().X_map_sweep;

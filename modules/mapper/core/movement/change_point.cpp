@@ -7,11 +7,7 @@ namespace {
 
 constexpr double kWidestTurn = 0.02, kWidestShift = 0.5;  // deviations before anything was seen: radians, metres
 
-struct Motion {
-  Vector6 x;
-  Matrix6 covariance;
-  double gain;  ///< Twice the log-likelihood that it adds to standing still.
-};
+}  // namespace
 
 Motion most_likely(const MotionEvidence& evidence) {
   Matrix6 information = evidence.information;
@@ -21,8 +17,6 @@ Motion most_likely(const MotionEvidence& evidence) {
   const Vector6 x = -(covariance * evidence.gradient);
   return {x, covariance, -x.dot(evidence.gradient)};
 }
-
-}  // namespace
 
 void MotionEvidence::add(const Vector6& J, double residual, double weight) {
   information += weight * J * J.transpose();

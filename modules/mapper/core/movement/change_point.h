@@ -21,6 +21,14 @@ struct MotionEvidence {
   MotionEvidence& operator+=(const MotionEvidence& other);
 };
 
+/// The motion that evidence tells of, where it is small unless something says more.
+struct Motion {
+  Vector6 x = Vector6::Zero();
+  Matrix6 covariance = Matrix6::Zero();
+  double gain = 0.0;  ///< Twice the log-likelihood that it adds to standing still.
+};
+Motion most_likely(const MotionEvidence& evidence);
+
 /// Before which slot of time a motion changed, and the motions on both sides.
 struct ChangePoint {
   std::size_t slot = 0;  ///< 0: none was found.

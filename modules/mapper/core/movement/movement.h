@@ -10,6 +10,9 @@ namespace scanway {
 /// What did not stand still while a sweep was taken.
 struct Movement {
   RobotMovement robot;
+  /// The sweep that it was registered to, where the robot may have moved during that one instead: of two sweeps that
+  /// contradict each other, either may be the one that is bent. Empty: it was this one.
+  std::string or_during;
   SceneMovement scene;  ///< Since the sweep that it is registered to began.
 };
 

@@ -14,8 +14,8 @@ using registration::RangeImage;
 constexpr float kInView = 15.0f;          // metres from either sensor: farther, a person is a few pixels
 constexpr float kApart = 0.3f;            // metres between a thing and what the other sweep has there
 constexpr float kJoined = 0.35f;          // metres between neighbouring points of a thing
-constexpr std::size_t kLeastPoints = 12;  // of a thing, one a 0.1 m voxel
-constexpr float kLeastHeight = 0.4f;
+constexpr std::size_t kLeastPoints = 15;  // of a thing, one a 0.1 m voxel
+constexpr float kLeastHeight = 0.8f;      // lower, thin tops and rails are seen from one side and not from the other
 
 /// The points of one sweep where the other saw through.
 struct SeenThrough {

@@ -38,7 +38,7 @@ class SimulatedPair {
     const RegistrationResult found = register_scans(source, target, prior, config_);
     if (found.verdict != Verdict::accepted) throw std::runtime_error(found.reason);
     const Pose& T = found.T_target_source;
-    return {robot_movement(DirectionTimes(second), source.data(), target.data(), T),
+    return {robot_movement(DirectionTimes(second), source.data(), target.data(), T), "",
             scene_movement(source.data(), target.data(), T)};
   }
 
