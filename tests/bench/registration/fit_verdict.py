@@ -14,9 +14,9 @@ import math
 
 PRIOR_PRECISION = 0.05  # of the coefficients' normal prior: separable classes must not give infinite certainty
 ACCEPTED = 0.85
-MIN_OVERLAP, OPEN_SHARE, OPEN_PROBABILITY = 0.22, 0.010, 0.3  # as in verdict.cpp
+MIN_OVERLAP, OPEN_PROBABILITY = 0.22, 0.3  # as in verdict.cpp
 PLACE = ["1", "log conflict", "surface fit", "log held fit", "margin", "without tracker"]
-PRECISE = ["1", "log sigma", "log held fit"]
+PRECISE = ["1", "log sigma", "log matches"]
 
 
 def solve(a, b):
@@ -47,9 +47,9 @@ def place_features(r):
 
 
 def precise_features(r):
-    """Sigma in units of what is right: 0.1 m and 0.5 degrees."""
+    """Sigma in units of what is right, 0.1 m and 0.5 degrees, and how many planes it rests on."""
     sigma = max(r["sigma_m"] / 0.1, r["sigma_deg"] / 0.5)
-    return [1.0, math.log(min(sigma, 10.0) + 0.003), math.log(r["held_fit"] + 0.01)]
+    return [1.0, math.log(min(sigma, 10.0) + 0.003), math.log(r["matches"] + 1.0)]
 
 
 def probability(models, r):
@@ -96,14 +96,14 @@ def fit(data):
 
 def barred(r):
     """The verdict's rules: an open direction or too little overlap is never accepted, whatever the probability."""
-    return r["open"] > 0 or r["observability"] < OPEN_SHARE or min(r["overlap"], r["overlap_back"]) < MIN_OVERLAP
+    return r["open"] > 0 or min(r["overlap"], r["overlap_back"]) < MIN_OVERLAP
 
 
 def called(w, r):
     p = probability(w, r)
-    if r["open"] > 0 or r["observability"] < OPEN_SHARE:
+    if r["open"] > 0:
         return min(p, OPEN_PROBABILITY)
-    return p
+    return min(p, 0.5) if barred(r) else p
 
 
 def report(title, rows, w):

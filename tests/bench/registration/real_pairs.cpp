@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 #include "common/cloud/poses_file.h"
 #include "common/cloud/read_cloud.h"
@@ -25,7 +26,7 @@ struct SetFacts {
 constexpr SetFacts kFacts[] = {
     {"hall_scans_a", 0.3, 0.05, 0.3},       {"corridor_tilting_sick_3dtk", 0.3, 0.05, 0.5},
     {"street_pair_hdl32", 0.3, 0.1, 0.5},   {"street_kitti00", 2.5, 0.1, 0.5},
-    {"tilted_velodyne_lpm", 0.3, 0.1, 0.5}, {"handheld_os0_balm", 0.3, 0.1, 0.5},
+    {"tilted_velodyne_lpm", 0.3, 0.05, 0.45}, {"handheld_os0_balm", 0.3, 0.1, 0.5},
 };
 
 const SetFacts& facts_of(const std::string& name) {
@@ -58,6 +59,22 @@ std::vector<std::string> names_in(const std::string& poses) {
     if (!line.empty() && line[0] != '#') names.push_back(line.substr(0, line.find(' ')));
   }
   return names;
+}
+
+/// The table's columns: A, B, displacement, rotation, two before and two after, the overlap at the reference last.
+std::map<std::pair<std::string, std::string>, double> overlaps_in(const std::string& readme) {
+  std::map<std::pair<std::string, std::string>, double> overlaps;
+  std::ifstream file(readme);
+  for (std::string line; std::getline(file, line);) {
+    std::replace(line.begin(), line.end(), '|', ' ');
+    std::istringstream row(line);
+    std::string a, b;
+    double figure = 0.0, last = 0.0;
+    int figures = 0;
+    for (row >> a >> b; row >> figure; ++figures) last = figure;
+    if (figures == 6) overlaps[{a, b}] = last;
+  }
+  return overlaps;
 }
 
 RealSet load_street_pair(const std::string& folder) {
@@ -101,6 +118,7 @@ RealSet load_set(const std::string& data, const std::string& name) {
     }
   }
   for (PointCloud& cloud : set.clouds) cloud = without_near(std::move(cloud), facts.min_range_m);
+  set.stated_overlap = overlaps_in(folder + "/README.md");
   set.name = name;
   set.right_m = facts.right_m;
   set.right_angle = facts.right_deg * kDegree;

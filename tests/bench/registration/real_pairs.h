@@ -1,6 +1,8 @@
 #pragma once
 
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "common/random/random.h"
@@ -16,6 +18,8 @@ struct RealSet {
   std::vector<Pose> X_ref_scan;
   double right_m = 0.1;  ///< How far from the reference a right pose may be (the set's own uncertainty).
   double right_angle = 0.0087;
+  /// By its README's table, from scan to scan; pairs that it leaves out overlap less than 0.25. Empty without a table.
+  std::map<std::pair<std::string, std::string>, double> stated_overlap;
 
   Pose T_target_source(std::size_t source, std::size_t target) const {
     return X_ref_scan[target].inverse() * X_ref_scan[source];

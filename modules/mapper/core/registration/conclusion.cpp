@@ -49,7 +49,6 @@ LastStep settle(const PreparedScan::Data& source, const PreparedScan::Data& targ
   half << log_so3(turned), last.T_target_source.translation() - T_target_source.translation();
   half *= 0.5;
   last.covariance += half * half.transpose();
-  last.doubt += half * half.transpose();
   last.T_target_source = T_target_source;
   return last;
 }
@@ -75,8 +74,7 @@ std::optional<Conclusion> conclude(const std::vector<Candidate>& candidates, con
   evidence.held_fit = hold.fit;
   evidence.sigma_m = sigma_m(last.covariance);
   evidence.sigma_rad = sigma_rad(last.covariance);
-  evidence.doubt_m = sigma_m(last.doubt);
-  evidence.doubt_rad = sigma_rad(last.doubt);
+  evidence.matches = last.matches;
   evidence.moved_m = last.moved_m;
   return conclusion;
 }

@@ -90,12 +90,11 @@ std::vector<PlaneMatch> match_all(const Surfaces& surfaces, const CellGrid& targ
 struct Normal {
   Matrix6 A = Matrix6::Zero();
   Vector6 b = Vector6::Zero();
-  Vector6 overruled = Vector6::Zero();  ///< As b, but by a kernel that only limits what contradicts.
   double weight = 0.0, squares = 0.0;
   std::size_t count = 0;
 
   Normal& operator+=(const Normal& other) {
-    A += other.A, b += other.b, overruled += other.overruled;
+    A += other.A, b += other.b;
     weight += other.weight, squares += other.squares, count += other.count;
     return *this;
   }
@@ -118,7 +117,6 @@ void add(const PlaneMatch& m, const Pose& T, Normal& sums) {
   J << lever.cross(normal), normal;
   sums.A += weight * J * J.transpose();
   sums.b -= weight * residual * J;
-  sums.overruled -= m.information * std::clamp(residual, -kKernel, kKernel) * J;
   sums.weight += weight;
   sums.squares += weight * residual * residual;
   ++sums.count;
@@ -160,14 +158,6 @@ Matrix6 inverse_of(const Matrix6& information) {
   return damped.inverse();
 }
 
-/// The sandwich of an M-estimator (Huber, Robust Statistics, 1981, chapter 6), the parts of the scene being the
-/// samples.
-Matrix6 sandwich(const Parts& parts, const Matrix6& covariance) {
-  Matrix6 scatter = Matrix6::Zero();
-  for (const Normal& part : parts) scatter += part.overruled * part.overruled.transpose();
-  return covariance * scatter * covariance;
-}
-
 double largest_sigma(const Eigen::Matrix3d& covariance) {
   return std::sqrt(std::max(0.0, symmetric_eigen(covariance).values[2]));
 }
@@ -194,9 +184,7 @@ LastStep take_last_step(const PreparedScan::Data& source, const PreparedScan::Da
     parts = linearise(matches, last.T_target_source);
   }
   const Normal total = total_of(parts);
-  const Matrix6 inverse = inverse_of(total.A);
-  last.covariance = jackknife(parts) + inverse;
-  last.doubt = sandwich(parts, inverse) + inverse;
+  last.covariance = jackknife(parts) + inverse_of(total.A);
   last.matches = total.count;
   last.rmse_m = std::sqrt(total.squares / total.weight);
   last.moved_m = (last.T_target_source.translation() - T_target_source.translation()).norm();

@@ -11,8 +11,6 @@ struct LastStep {
   /// Of [rotation vector, translation] as in IcpResult: what the planes' own scatter gives, and the jackknife over
   /// parts of the scene on top of it. Parts that contradict each other make it large.
   Matrix6 covariance = Matrix6::Identity();
-  /// The same by all matches, also those that the robust kernel overruled: far larger where they speak with one voice.
-  Matrix6 doubt = Matrix6::Identity();
   double rmse_m = 0.0;  ///< Of the distances of the source's surfaces from the target's planes, weighted.
   std::size_t matches = 0;
   double moved_m = 0.0;  ///< From the pose that it began at.

@@ -64,12 +64,12 @@ double rank_of(const Evidence& e) {
 
 // Both models fitted by tests/bench/registration/fit_verdict.py.
 double probability_right(const Evidence& e) {
-  const double held = repeatable::log(e.held_fit + 0.01);
-  const double place = -8.18 - 1.87 * repeatable::log(e.agreement.conflict + 0.003) + 2.62 * e.agreement.surface_fit -
-                       0.48 * held + 0.98 * std::clamp(e.margin, -kMaxMargin, kMaxMargin) -
-                       4.10 * (e.tracked ? 0.0 : 1.0);
+  const double place = -8.26 - 1.62 * repeatable::log(e.agreement.conflict + 0.003) + 1.86 * e.agreement.surface_fit -
+                       0.55 * repeatable::log(e.held_fit + 0.01) +
+                       1.34 * std::clamp(e.margin, -kMaxMargin, kMaxMargin) - 4.04 * (e.tracked ? 0.0 : 1.0);
   const double sigma = std::max(e.sigma_m / kRightMetres, e.sigma_rad / kRightRadians);
-  const double precise = 1.33 - 1.61 * repeatable::log(std::min(sigma, 10.0) + 0.003) + 0.35 * held;
+  const double precise = -8.18 - 2.39 * repeatable::log(std::min(sigma, 10.0) + 0.003) +
+                         1.63 * repeatable::log(static_cast<double>(e.matches) + 1.0);
   return logistic(place) * logistic(precise);
 }
 

@@ -21,8 +21,7 @@ struct Evidence {
   double held_fit = 0.0;       ///< See Hold.
   double sigma_m = 1.0;        ///< Of the translation and the rotation, by the last step.
   double sigma_rad = 0.1;
-  double doubt_m = 1.0;  ///< The same by what the parts of the scene that the robust kernel overruled say.
-  double doubt_rad = 0.1;
+  std::size_t matches = 0;     ///< That these rest on: of few, the deviations are not known well themselves.
   double moved_m = 1.0;        ///< By the last step: two estimators that agree are seldom both wrong.
   double observability = 0.0;  ///< Of the least constrained direction: its share of the information, 1/3 at best.
 };

@@ -27,8 +27,8 @@ double icp_error_m(const KnownPair& known, const Conclusion& conclusion, const P
 void print_header() {
   std::printf(
       "set,tracker,right,true_overlap,distance,error_m,error_deg,accepted,p,open,overlap,overlap_back,conflict,"
-      "surface_fit,held_fit,rmse_m,icp_rmse_m,moved_m,margin,observability,rank,inliers,sigma_m,sigma_deg,icp_error_m,"
-      "doubt_m,doubt_deg,facing,cpu_s\n");
+      "surface_fit,held_fit,rmse_m,icp_rmse_m,moved_m,margin,observability,rank,matches,sigma_m,sigma_deg,icp_error_m,"
+      "facing,cpu_s\n");
 }
 
 void print_evidence(const KnownPair& known, const PreparedScan& source, const PreparedScan& target,
@@ -46,11 +46,10 @@ void print_evidence(const KnownPair& known, const PreparedScan& source, const Pr
               known.overlap, known.truth ? known.truth->translation().norm() : 999.0, error.metres,
               error.radians * kDegrees, result.verdict == Verdict::accepted ? 1 : 0, result.probability,
               result.open_directions.size());
-  std::printf("%.4f,%.4f,%.5f,%.4f,%.4f,%.5f,%.5f,%.5f,%.3f,%.5f,%.3f,%zu,%.5f,%.5f,%.5f,%.5f,%.5f,%.0f,%.3f\n",
-              a.overlap, a.overlap_back, a.conflict, a.surface_fit, e.held_fit, result.inlier_rmse_m, e.rmse_m,
-              e.moved_m, e.margin, e.observability, rank_of(e), conclusion->last.matches, e.sigma_m,
-              e.sigma_rad * kDegrees, icp_error_m(known, *conclusion, source, target), e.doubt_m,
-              e.doubt_rad * kDegrees, conclusion->facing[0], cpu_s);
+  std::printf("%.4f,%.4f,%.5f,%.4f,%.4f,%.5f,%.5f,%.5f,%.3f,%.5f,%.3f,%zu,%.5f,%.5f,%.5f,%.0f,%.3f\n", a.overlap,
+              a.overlap_back, a.conflict, a.surface_fit, e.held_fit, result.inlier_rmse_m, e.rmse_m, e.moved_m,
+              e.margin, e.observability, rank_of(e), conclusion->last.matches, e.sigma_m, e.sigma_rad * kDegrees,
+              icp_error_m(known, *conclusion, source, target), conclusion->facing[0], cpu_s);
   std::fflush(stdout);
 }
 
