@@ -10,12 +10,12 @@ namespace {
 
 /// Both paths, the mode in the first column.
 std::string path_csv(const PlannerNode& planner) {
-  std::string text = "mode,x_m,y_m,heading_rad\n";
+  std::string text = "mode,x_m,y_m,heading_rad,time_s,speed_m_s\n";
   for (const auto* path : {&planner.without_embodiment(), &planner.with_embodiment()}) {
     if (!*path) continue;
     for (std::size_t i = 0; i < (*path)->pose_x_m.size(); ++i) {
-      text += fmt::format("{},{},{},{}\n", (*path)->mode, (*path)->pose_x_m[i], (*path)->pose_y_m[i],
-                          (*path)->pose_heading_rad[i]);
+      text += fmt::format("{},{},{},{},{},{}\n", (*path)->mode, (*path)->pose_x_m[i], (*path)->pose_y_m[i],
+                          (*path)->pose_heading_rad[i], (*path)->pose_time_s[i], (*path)->pose_speed_m_s[i]);
     }
   }
   return text;

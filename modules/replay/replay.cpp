@@ -79,7 +79,17 @@ class RawSweeps {
 
 PathReport path_report(const std::optional<path_t>& path) {
   if (!path) return {};
-  return {path->status, path->length_m, path->clearance_m, path->unknown_share, path->cost, path->expansions};
+  return {.status = path->status,
+          .unknown = path->unknown,
+          .map_up_to_date = path->map_up_to_date != 0,
+          .length_m = path->length_m,
+          .duration_s = path->pose_time_s.empty() ? 0.0 : path->pose_time_s.back(),
+          .clearance_m = path->clearance_m,
+          .clearance_at_m = {path->clearance_at_m[0], path->clearance_at_m[1]},
+          .unknown_share = path->unknown_share,
+          .cost = path->cost,
+          .worst_cost = path->worst_cost,
+          .expansions = path->expansions};
 }
 
 }  // namespace

@@ -34,10 +34,15 @@ Json to_json(const Pose& pose) {
 
 Json to_json(const PathReport& path) {
   return {{"status", path.status},
+          {"unknown", path.unknown},
+          {"map_up_to_date", path.map_up_to_date},
           {"length_m", path.length_m},
+          {"duration_s", path.duration_s},
           {"clearance_m", path.clearance_m},
+          {"clearance_at_m", {path.clearance_at_m.first, path.clearance_at_m.second}},
           {"unknown_share", path.unknown_share},
           {"cost", path.cost},
+          {"worst_cost", path.worst_cost},
           {"expansions", path.expansions}};
 }
 

@@ -32,12 +32,18 @@ struct PoseError {
   double rotation = 0.0;  ///< Radians.
 };
 
+/// What a PATH says of itself besides its poses.
 struct PathReport {
   std::string status = "no goal";
+  std::string unknown;
+  bool map_up_to_date = false;
   double length_m = 0.0;
+  double duration_s = 0.0;
   double clearance_m = 0.0;
+  std::pair<double, double> clearance_at_m;
   double unknown_share = 0.0;
   double cost = 0.0;
+  double worst_cost = 0.0;
   std::int64_t expansions = 0;
 };
 

@@ -94,9 +94,8 @@ void Planner::name_obstruction(PlanResult& result, Cell start, Cell goal) const 
                               why.width_cells * resolution_m_);
 }
 
-void Planner::trace(const Route& route, PlanResult& result) {
+std::vector<PathPose> Planner::smoothed(const Route& route, const Ground& ground) const {
   const MapScale scale = {resolution_m_, origin_m_};
-  const Ground ground(*terrain_);
   std::vector<Leg> legs = legs_of(route, ground);
   if (form_ == PathForm::smooth) legs = straightened(std::move(legs), ground);
   const double rounding = form_ == PathForm::smooth ? widest_bend(robot_.body) / resolution_m_ : 0.0;
@@ -109,8 +108,15 @@ void Planner::trace(const Route& route, PlanResult& result) {
     const Eigen::Vector2d at = scale.middle_of(route.places.front().cell);
     path.push_back({at.x(), at.y(), angle_of(route.places.front().heading.value_or(0))});
   }
-  result.path = driven(path, robot_.body);
-  const PathMeasures measures = measures_of(result.path, ground, scale);
+  return path;
+}
+
+void Planner::trace(const Route& route, PlanResult& result, StageListener* stages) {
+  const Ground ground(*terrain_);
+  begin_stage(stages, "smooth");
+  result.path = driven(smoothed(route, ground), robot_.body);
+  begin_stage(stages, "measure");
+  const PathMeasures measures = measures_of(result.path, ground, {resolution_m_, origin_m_});
   result.length_m = measures.length_m;
   result.worst_cost = measures.worst_cost;
   result.clearance_m = measures.clearance_m;
@@ -118,7 +124,8 @@ void Planner::trace(const Route& route, PlanResult& result) {
   result.unknown_share = measures.unknown_share;
 }
 
-PlanResult Planner::plan(const Eigen::Vector2d& start_m, const Eigen::Vector2d& goal_m) {
+PlanResult Planner::plan(const Eigen::Vector2d& start_m, const Eigen::Vector2d& goal_m, StageListener* stages) {
+  begin_stage(stages, "search");
   PlanResult result;
   result.unknown = options_.unknown;
   result.reason = words_of(result.status);
@@ -131,7 +138,7 @@ PlanResult Planner::plan(const Eigen::Vector2d& start_m, const Eigen::Vector2d& 
     result.effort = finder_->take_effort();
     if (route) {
       result.cost = route->cost_cells * resolution_m_;
-      trace(*route, result);
+      trace(*route, result, stages);
     } else {
       name_obstruction(result, *start, *goal);
     }

@@ -10,10 +10,12 @@
 
 #include "common/grid/bounds.h"
 #include "common/grid/cost_map.h"
+#include "common/progress/stages.h"
 #include "common/robot/robot.h"
 #include "modules/planner/core/body/terrain.h"
 #include "modules/planner/core/explain/explanation.h"
 #include "modules/planner/core/explain/plan_status.h"
+#include "modules/planner/core/path/ground.h"
 #include "modules/planner/core/path/path_pose.h"
 #include "modules/planner/core/search/route_finder.h"
 
@@ -58,8 +60,8 @@ class Planner {
   void set_map(const CostMap& map, std::optional<CellRectangle> bounds = std::nullopt);
   /// These tiles (by tile index) have appeared, changed or gone. The map's resolution and origin are as before.
   void update(const CostMap& map, const std::vector<Cell>& tiles);
-  /// Start and goal in metres in `map`.
-  PlanResult plan(const Eigen::Vector2d& start_m, const Eigen::Vector2d& goal_m);
+  /// Start and goal in metres in `map`. `stages` hears of `search`, `smooth` and `measure`.
+  PlanResult plan(const Eigen::Vector2d& start_m, const Eigen::Vector2d& goal_m, StageListener* stages = nullptr);
   /// Why such a plan came out as it did, with what is in its way. Takes longer than the plan.
   Explanation explain(const PlanResult& result, const Eigen::Vector2d& start_m, const Eigen::Vector2d& goal_m);
 
@@ -68,7 +70,8 @@ class Planner {
   std::optional<Cell> cell_at(const Eigen::Vector2d& point_m) const;
   PlanStatus check(std::optional<Cell> start, std::optional<Cell> goal);
   void name_obstruction(PlanResult& result, Cell start, Cell goal) const;
-  void trace(const Route& route, PlanResult& result);
+  void trace(const Route& route, PlanResult& result, StageListener* stages);
+  std::vector<PathPose> smoothed(const Route& route, const Ground& ground) const;
 
   Robot robot_;
   TerrainOptions options_;

@@ -68,7 +68,7 @@ class Plan {
     planner_.set_map(map.map, map.extent);
   }
 
-  PlanResult make() { return planner_.plan(start_, goal_); }
+  PlanResult make(StageListener* stages = nullptr) { return planner_.plan(start_, goal_, stages); }
   planning::Explanation explain(const PlanResult& result) { return planner_.explain(result, start_, goal_); }
 
  private:
@@ -135,8 +135,8 @@ int run_plan(const PlanOptions& options) {
     embody(map.map, robot, mode == BodyMode::paper ? Embodiment::paper : Embodiment::footprint);
   timer.begin("prepare");
   Plan plan(mode, map, robot, options);
-  timer.begin("plan");
-  Answer answer{plan.make(), {}, {}};
+  Answer answer{plan.make(&timer), {}, {}};
+  timer.begin("");
   if (!options.explain) refuse_bad_ends(answer.result, options);
   if (options.explain) timer.begin("explain");
   if (options.explain) answer.why = plan.explain(answer.result);

@@ -2,8 +2,8 @@
 //
 //   planning_bench [RUNS] [SIDE]     corner to corner: first plans, and replans after a change near the robot
 //   planning_bench life [EVERY]      4000 x 4000: a driving robot, a moving goal, a change near the goal; every
-//   EVERY-th
-//                                    problem is planned anew too
+//                                    EVERY-th problem is planned anew too
+//   planning_bench smooth [SIDE]     what straightening, rounding and timing a path takes, and what it gains
 //   planning_bench large             10,000 x 10,000 rubble: time and memory
 
 #include <unistd.h>
@@ -105,6 +105,39 @@ void lives(int every) {
   }
 }
 
+/// For the body in scenes where it has room, the others for a point.
+void smooth(const Scene& scene, planning::BodyMode mode) {
+  const auto plan = [&](planning::PathForm form, CpuStages& stages) {
+    Planner planner(Robot(), mode, form);
+    planner.set_map(scene.map, CellRectangle{{0, 0}, {scene.side, scene.side}});
+    const double from = 0.5 * scene.map.resolution_m + 0.3, to = scene.side * scene.map.resolution_m - from;
+    return planner.plan({from, from}, {to, to}, &stages);
+  };
+  CpuStages of_cells, of_smooth;
+  const PlanResult cells = plan(planning::PathForm::cells, of_cells);
+  const PlanResult line = plan(planning::PathForm::smooth, of_smooth);
+  if (line.path.empty()) return static_cast<void>(std::printf("| %s | %s |\n", scene.name, line.reason.c_str()));
+  std::printf("| %s, %s | %.1f | %.2f | %.2f | %.1f | %.1f | %.2f | %.2f | %.1f | %.1f |\n", scene.name,
+              mode == planning::BodyMode::footprint ? "body" : "point", of_smooth.of("search"), of_smooth.of("smooth"),
+              of_smooth.of("measure"), cells.length_m, line.length_m, cells.clearance_m, line.clearance_m,
+              cells.path.back().time_s, line.path.back().time_s);
+  std::fflush(stdout);
+}
+
+void smooth_paths(int side) {
+  std::printf(
+      "%d x %d cells, corner to corner, CPU ms, path from cell to cell -> smooth\n| map | search | smooth | measure | "
+      "length, m | smooth | clearance, m | smooth | seconds to drive | smooth "
+      "|\n|---|---|---|---|---|---|---|---|---|---|\n",
+      side, side);
+  smooth(rubble(side), planning::BodyMode::point);
+  smooth(rooms(side), planning::BodyMode::point);
+  smooth(weighted(side), planning::BodyMode::paper);
+  Scene fine = rooms(side);
+  fine.map.resolution_m = 0.2;
+  smooth(fine, planning::BodyMode::footprint);
+}
+
 /// Bytes of memory that this process has.
 double resident() {
   std::ifstream file("/proc/self/statm");
@@ -132,6 +165,8 @@ int main(int argc, char** argv) {
   const auto number = [&](int at, int otherwise) { return argc > at ? std::atoi(argv[at]) : otherwise; };
   if (argc > 1 && std::strcmp(argv[1], "life") == 0) {
     lives(std::max(1, number(2, 10)));
+  } else if (argc > 1 && std::strcmp(argv[1], "smooth") == 0) {
+    smooth_paths(number(2, 4000));
   } else if (argc > 1 && std::strcmp(argv[1], "large") == 0) {
     large();
   } else {

@@ -6,14 +6,14 @@
 namespace scanway::planning {
 namespace {
 
-constexpr double kTouch = 1e-9;
+constexpr double kRounding = 1e-9;
 
 /// How far to the side a square may lie whose row is `dy` rows away, and still reach into the disc.
 std::int32_t half_width(double radius, std::int32_t dy) {
   const double rise = std::max(dy - 0.5, 0.0);
   const double rest = radius * radius - rise * rise;
-  if (rest <= kTouch) return -1;
-  return static_cast<std::int32_t>(std::ceil(std::sqrt(rest) + 0.5 - kTouch)) - 1;
+  if (rest <= kRounding) return -1;
+  return static_cast<std::int32_t>(std::ceil(std::sqrt(rest) + 0.5 - kRounding)) - 1;
 }
 
 std::vector<std::int32_t> half_widths(double radius, std::int32_t reach) {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "common/grid/bounds.h"
 #include "common/grid/cost_map.h"
 
 namespace scanway::planning {
@@ -68,5 +69,9 @@ class Frame {
   std::uint32_t blocks_a_row_;
   std::uint64_t reciprocal_;  ///< 2^40 / blocks_a_row_, rounded up.
 };
+
+/// With room for tiles that appear around `bounds`, and for looking `reach` cells beyond them. Throws std::length_error
+/// for more than 3 * 2^30 cells.
+Frame frame_around(const CellRectangle& bounds, std::int32_t reach);
 
 }  // namespace scanway::planning

@@ -9,37 +9,13 @@
 #include <fmt/format.h>
 
 #include "modules/planner/core/explain/area.h"
+#include "modules/planner/core/explain/nearest.h"
 #include "modules/planner/core/explain/obstruction.h"
 
 namespace scanway::planning {
 namespace {
 
 std::string text_of(const Eigen::Vector2d& at) { return fmt::format("({:.2f}, {:.2f})", at.x(), at.y()); }
-
-double distance(Cell a, Cell b) {
-  const double x = a.x - b.x, y = a.y - b.y;
-  return std::sqrt(x * x + y * y);
-}
-
-/// The cell nearest to `middle` that `is_one`: ring by ring, until no further one can be nearer.
-template <class IsOne>
-std::optional<Cell> nearest(const CellRectangle& bounds, Cell middle, const IsOne& is_one) {
-  const auto widest = static_cast<std::int32_t>(bounds.width() + bounds.height());
-  std::optional<Cell> found;
-  const auto try_cell = [&](Cell cell) {
-    const bool nearer = !found || distance(cell, middle) < distance(*found, middle);
-    if (bounds.contains(cell) && nearer && is_one(cell)) found = cell;
-  };
-  for (std::int32_t ring = 0; ring <= widest && !(found && distance(*found, middle) <= ring); ++ring) {
-    for (std::int32_t i = -ring; i <= ring; ++i) {
-      try_cell({middle.x + i, middle.y - ring});
-      try_cell({middle.x + i, middle.y + ring});
-      try_cell({middle.x - ring, middle.y + i});
-      try_cell({middle.x + ring, middle.y + i});
-    }
-  }
-  return found;
-}
 
 /// The least width of a polygon's hull: across the edge or diagonal that has all corners on one side.
 double least_width(const Polygon& polygon) {

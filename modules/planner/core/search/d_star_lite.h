@@ -74,12 +74,14 @@ class DStarLite {
     std::uint64_t value = kInfinite;
     Link link = 0;
   };
-  Offer best_offer(Node node);
+  Offer best_offer(Node node, std::uint8_t leave_out);
   bool is_supported(Node node);
   void wait_to_rise(Node node);
   bool rise_before(const std::vector<Node>& targets);
+  bool rise_all(std::uint64_t bucket);
   void rise_if_due(Node node, std::uint64_t bucket);
   void rise(Node node);
+  void find_again(Node node);
   std::uint64_t least(const std::vector<Node>& targets);
   std::uint64_t next_bucket(const std::vector<Node>& targets);
   std::vector<std::uint32_t> with_neighbours(const std::vector<std::uint32_t>& cells) const;
@@ -92,6 +94,7 @@ class DStarLite {
   std::vector<Node> roots_;
   Cell target_;
   std::uint64_t k_m_ = 0;
+  std::vector<Node> dropped_;           ///< Have lost their value and not been asked for another.
   std::uint64_t may_drop_ = 0;          ///< In this search, before a new one costs less.
   std::uint64_t first_expansions_ = 0;  ///< What the last search from nothing took.
   Effort effort_;

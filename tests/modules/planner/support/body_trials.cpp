@@ -110,7 +110,7 @@ Tally try_random_problems(const TestMap& map, const Robot& robot, int problems, 
 Tally try_against_exhaustive_search(const TrialBody& body, int maps, Random& random) {
   Tally tally;
   for (int i = 0; i < maps; ++i) {
-    const TestMap map = random_map(24, 20, body.resolution_m, body.share, i % 3 == 0, random);
+    const TestMap map = random_map(24, 20, body.resolution_m, body.share * (1 + i % 4), i % 3 == 0, random);
     const PolygonCheck check(map, body.robot);
     const Cell start = place_for(map, check, random), goal = place_for(map, check, random);
     Planner planner(body.robot, BodyMode::footprint);

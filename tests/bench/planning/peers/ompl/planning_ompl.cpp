@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include <ompl/util/RandomNumbers.h>
+
 #include "modules/planner/core/planner.h"
 #include "tests/bench/planning/cpu_time.h"
 #include "tests/bench/planning/peers/ompl/sampling.h"
@@ -39,6 +41,7 @@ int main(int argc, char** argv) {
   using namespace scanway::bench;
   const int side = argc > 1 ? std::atoi(argv[1]) : 500;
   const double seconds = argc > 2 ? std::atof(argv[2]) : 10.0;
+  ompl::RNG::setSeed(1);
   std::printf("corner to corner; ours with the map's preparation, straightened\n");
   std::printf("| map, cells a side | ours | OMPL's | | times slower | times longer |\n|---|---|---|---|---|---|\n");
   compare(rooms(side), seconds);

@@ -9,7 +9,6 @@
 #include <ompl/geometric/planners/prm/PRMstar.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
 #include <ompl/util/Console.h>
-#include <ompl/util/RandomNumbers.h>
 
 #include "tests/bench/planning/cpu_time.h"
 
@@ -46,7 +45,6 @@ const char* name_of(Sampler sampler) {
 
 std::optional<SampledWay> sample(const Scene& scene, Sampler sampler, double most_seconds) {
   ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
-  ompl::RNG::setSeed(1);
   const std::vector<char> free = free_cells(scene);
   const auto space = std::make_shared<base::RealVectorStateSpace>(2);
   space->setBounds(0.0, scene.side);
