@@ -45,7 +45,7 @@ void ascend(NodeUpdate& update, const Node& node, int level, Numbers numbers) {
 
 /// The nodes of the bricks as `work` leaves them, and with them all above.
 template <class Work>
-void on_nodes(NodeBlocks& blocks, NodeBlock& top, const BrickNumbers& numbers, const Work& work) {
+void on_nodes(TreeBlocks& blocks, NodeBlock& top, const BrickNumbers& numbers, const Work& work) {
   if (numbers.empty()) return;
   const Node root{&top, 0, !top.has(0)};
   if (root.is_new) root.log_odds() = 0.0f;
@@ -58,7 +58,7 @@ void on_nodes(NodeBlocks& blocks, NodeBlock& top, const BrickNumbers& numbers, c
 
 /// Calls work(update, i) for each i below `n`, each time with the update of its thread.
 template <class Work>
-void side_by_side(NodeBlocks& blocks, std::size_t n, const Work& work) {
+void side_by_side(TreeBlocks& blocks, std::size_t n, const Work& work) {
   tbb::enumerable_thread_specific<NodeUpdate> of_thread([&blocks] { return NodeUpdate(blocks); });
   for_blocks(n, kBricksInBlock, [&](std::size_t begin, std::size_t end, std::size_t) {
     NodeUpdate& update = of_thread.local();
@@ -68,10 +68,7 @@ void side_by_side(NodeBlocks& blocks, std::size_t n, const Work& work) {
 
 }  // namespace
 
-LogOddsTree::LogOddsTree() {
-  top_.log_odds.fill(NodeBlock::kNoNode);
-  top_.children.fill(0);
-}
+LogOddsTree::LogOddsTree() { top_.fill(kNoNode); }
 
 void LogOddsTree::update(VoxelBricks& bricks) {
   const BrickNumbers numbers = bricks.numbers();
@@ -87,7 +84,7 @@ void LogOddsTree::update(VoxelBricks& bricks) {
 void LogOddsTree::remake(const BrickNumbers& numbers, const VoxelHistory& history) {
   on_nodes(blocks_, top_, numbers, [&](std::vector<Node>& nodes) {
     side_by_side(blocks_, nodes.size(), [&](NodeUpdate& update, std::size_t i) {
-      update.remove(nodes[i]);
+      update.remove(nodes[i], kBrickLevel);
       nodes[i].is_new = true;
     });
     for (const SweepNumber sweep : history.sweeps()) {

@@ -34,7 +34,7 @@ class LogOddsTree {
   std::string bt_bytes(double resolution_m) const;
 
  private:
-  NodeBlocks blocks_;
+  TreeBlocks blocks_;
   NodeBlock top_;  ///< Its first node is the root.
 };
 

@@ -2,19 +2,18 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <utility>
 
 namespace scanway {
 
-NodeBlocks::NodeBlocks() : chunks_(kMostChunks) {}
-
-void NodeBlocks::add_chunk() {
+template <class Block>
+void BlockPool<Block>::add_chunk() {
   const BlockNumber chunk = next_ >> kChunkBits;
   if (chunk == kMostChunks) throw std::length_error("an OctoMap of more nodes than can be numbered");
-  if (!chunks_[chunk]) chunks_[chunk] = std::make_unique_for_overwrite<NodeBlock[]>(kChunkSize);
+  if (!chunks_[chunk]) chunks_[chunk] = std::make_unique_for_overwrite<Block[]>(kChunkSize);
 }
 
-std::vector<BlockNumber> NodeBlocks::take() {
+template <class Block>
+std::vector<BlockNumber> BlockPool<Block>::take() {
   const std::lock_guard lock(mutex_);
   std::vector<BlockNumber> taken;
   if (!unused_.empty()) {
@@ -30,9 +29,13 @@ std::vector<BlockNumber> NodeBlocks::take() {
   return taken;
 }
 
-void NodeBlocks::give_back(std::vector<BlockNumber> blocks) {
+template <class Block>
+void BlockPool<Block>::give_back(const std::vector<BlockNumber>& blocks) {
   const std::lock_guard lock(mutex_);
   unused_.insert(unused_.end(), blocks.begin(), blocks.end());
 }
+
+template class BlockPool<NodeBlock>;
+template class BlockPool<VoxelBlock>;
 
 }  // namespace scanway

@@ -19,6 +19,18 @@ bool none(Words words) {
   return any == 0;
 }
 
+/// Gives a node the value of its most occupied child. Whether all children are there and alike.
+bool take_most(const std::array<float, 8>& values, const Node& node) {
+  bool alike = true;
+  float most = -std::numeric_limits<float>::infinity();
+  for (const float value : values) {
+    alike &= value == values[0];
+    most = value > most ? value : most;
+  }
+  node.log_odds() = most;
+  return alike;
+}
+
 }  // namespace
 
 SensorModel::SensorModel() : hit(log_odds(0.7)), miss(log_odds(0.4)), least(log_odds(0.1192)), most(log_odds(0.971)) {}
@@ -65,54 +77,56 @@ void NodeUpdate::update_byte(const Node& node, const SmallCube& cube) {
   if (node.is_leaf()) {
     if (cube.occupied == 0 && (cube.free == 255 || at_bound(node, model_.least))) return add(node, model_.miss);
     if (cube.free == 0 && (cube.occupied == 255 || at_bound(node, model_.most))) return add(node, model_.hit);
-    open(node);
+    open_voxels(node);
   }
-  std::array<float, 8>& values = blocks_[node.children()].log_odds;
+  std::array<float, 8>& values = voxels_[node.children()].log_odds;
   for (std::size_t i = 0; i < 8; ++i) {
     const float before = values[i], start = before == before ? before : 0.0f;
     const float after = model_.after(start, cube.occupied >> i & 1 ? model_.hit : model_.miss);
     values[i] = (cube.free | cube.occupied) >> i & 1 ? after : before;
   }
-  finish(node);
+  finish_voxels(node);
 }
 
 Node NodeUpdate::child_of(const Node& node, std::size_t i) {
-  NodeBlock& block = blocks_[node.children()];
+  NodeBlock& block = nodes_[node.children()];
   const bool is_new = !block.has(i);
   if (is_new) block.log_odds[i] = 0.0f;
   return {&block, i, is_new};
 }
 
 void NodeUpdate::finish(const Node& node) {
-  const NodeBlock& block = blocks_[node.children()];
-  bool alike = true;
+  const NodeBlock& block = nodes_[node.children()];
   BlockNumber any = 0;
-  float most = -std::numeric_limits<float>::infinity();
-  for (std::size_t i = 0; i < 8; ++i) {
-    alike &= block.log_odds[i] == block.log_odds[0];
-    any |= block.children[i];
-    most = block.log_odds[i] > most ? block.log_odds[i] : most;
-  }
-  node.log_odds() = most;
-  if (!alike || any != 0) return;
-  supply_.give_back(node.children());
+  for (const BlockNumber children : block.children) any |= children;
+  if (!take_most(block.log_odds, node) || any != 0) return;
+  node_supply_.give_back(node.children());
+  node.children() = 0;
+}
+
+void NodeUpdate::finish_voxels(const Node& node) {
+  if (!take_most(voxels_[node.children()].log_odds, node)) return;
+  voxel_supply_.give_back(node.children());
   node.children() = 0;
 }
 
 void NodeUpdate::finish_or_remove(const Node& node) {
-  const NodeBlock& block = blocks_[node.children()];
+  const NodeBlock& block = nodes_[node.children()];
   const auto exists = [](float value) { return !std::isnan(value); };
   if (std::any_of(block.log_odds.begin(), block.log_odds.end(), exists)) return finish(node);
-  remove(node);
+  node_supply_.give_back(node.children());
+  node.children() = 0;
+  node.log_odds() = kNoNode;
 }
 
-void NodeUpdate::remove(const Node& node) {
-  if (!node.is_leaf()) {
-    for (std::size_t i = 0; i < 8; ++i) remove(place_of(node, i));
-    supply_.give_back(node.children());
+void NodeUpdate::remove(const Node& node, int level) {
+  if (!node.is_leaf() && level == 1) voxel_supply_.give_back(node.children());
+  if (!node.is_leaf() && level > 1) {
+    for (std::size_t i = 0; i < 8; ++i) remove(place_of(node, i), level - 1);
+    node_supply_.give_back(node.children());
   }
   node.children() = 0;
-  node.log_odds() = NodeBlock::kNoNode;
+  node.log_odds() = kNoNode;
 }
 
 }  // namespace scanway

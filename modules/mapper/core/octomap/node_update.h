@@ -32,21 +32,23 @@ struct Node {
 /// One thread's part in an update of a tree's nodes.
 class NodeUpdate {
  public:
-  explicit NodeUpdate(NodeBlocks& blocks) : blocks_(blocks), supply_(blocks) {}
+  explicit NodeUpdate(TreeBlocks& blocks)
+      : nodes_(blocks.nodes), voxels_(blocks.voxels), node_supply_(blocks.nodes), voxel_supply_(blocks.voxels) {}
 
   /// What a sweep says of the node's brick, in which no voxel is both free and occupied. The node is then not new.
   void update(Node& node, const VoxelBrick& brick);
 
-  /// Makes room for a leaf's children: of a new node there are none yet, of any other all, like it.
-  void open(const Node& node) { node.children() = supply_.take(node.is_new ? NodeBlock::kNoNode : node.log_odds()); }
+  /// Makes room for a leaf's children, which are no voxels: of a new node there are none yet, of any other all, like
+  /// it.
+  void open(const Node& node) { node.children() = node_supply_.take(value_of_children(node)); }
   /// A child of a node that has been opened.
   Node child_of(const Node& node, std::size_t i);
   /// The place of a child that may not be there.
-  Node place_of(const Node& node, std::size_t i) { return {&blocks_[node.children()], i, false}; }
+  Node place_of(const Node& node, std::size_t i) { return {&nodes_[node.children()], i, false}; }
   /// Prunes, or takes the most occupied child's value; without children the node is removed.
   void finish_or_remove(const Node& node);
-  /// Forgets all that is below a node, and the node.
-  void remove(const Node& node);
+  /// Forgets all that is below a node of that level, and the node.
+  void remove(const Node& node, int level);
 
  private:
   /// What a sweep says of a cube: its voxels' bits.
@@ -67,14 +69,19 @@ class NodeUpdate {
   void update_cube(const Node& node, const Cube& cube);
   void update_word(const Node& node, const SmallCube& cube);
   void update_byte(const Node& node, const SmallCube& cube);
+  void open_voxels(const Node& node) { node.children() = voxel_supply_.take(value_of_children(node)); }
   void finish(const Node& node);
+  void finish_voxels(const Node& node);
 
+  static float value_of_children(const Node& node) { return node.is_new ? kNoNode : node.log_odds(); }
   /// Whether a leaf's value can go no further, so that it does not matter which of its voxels are touched.
   bool at_bound(const Node& node, float bound) const { return !node.is_new && node.log_odds() == bound; }
   void add(const Node& node, float change) const { node.log_odds() = model_.after(node.log_odds(), change); }
 
-  NodeBlocks& blocks_;
-  BlockSupply supply_;
+  BlockPool<NodeBlock>& nodes_;
+  BlockPool<VoxelBlock>& voxels_;
+  BlockSupply<NodeBlock> node_supply_;
+  BlockSupply<VoxelBlock> voxel_supply_;
   SensorModel model_;
 };
 

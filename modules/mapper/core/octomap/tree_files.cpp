@@ -17,28 +17,43 @@ std::string header(const char* first_line, std::size_t nodes, double resolution_
   return text.str();
 }
 
-/// Of each node its value and which children it has, parents first.
-void write_values(const NodeBlocks& blocks, const NodeBlock& block, std::size_t child, std::string& data) {
+/// A node's value; which children it has is still to be said in the byte behind it.
+std::size_t put_value(float log_odds, std::string& data) {
   const std::size_t at = data.size();
   data.resize(at + sizeof(float) + 1);
-  std::memcpy(&data[at], &block.log_odds[child], sizeof(float));
-  if (block.children[child] == 0) return;
-  const NodeBlock& children = blocks[block.children[child]];
-  unsigned present = 0;
-  for (std::size_t i = 0; i < 8; ++i) {
-    if (!children.has(i)) continue;
-    present |= 1u << i;
-    write_values(blocks, children, i, data);
-  }
-  data[at + sizeof(float)] = static_cast<char>(present);
+  std::memcpy(&data[at], &log_odds, sizeof(float));
+  return at + sizeof(float);
 }
 
-void count(const NodeBlocks& blocks, const NodeBlock& block, std::size_t child, LogOddsTree::Size& size) {
+/// Of each node its value and which children it has, parents first.
+void write_values(const TreeBlocks& blocks, const NodeBlock& block, std::size_t child, int level, std::string& data) {
+  const std::size_t children_at = put_value(block.log_odds[child], data);
+  const BlockNumber children = block.children[child];
+  unsigned present = 0;
+  for (std::size_t i = 0; i < 8 && children != 0; ++i) {
+    if (level == 1) {
+      const VoxelBlock& voxels = blocks.voxels[children];
+      if (!voxels.has(i)) continue;
+      put_value(voxels.log_odds[i], data);
+    } else {
+      const NodeBlock& nodes = blocks.nodes[children];
+      if (!nodes.has(i)) continue;
+      write_values(blocks, nodes, i, level - 1, data);
+    }
+    present |= 1u << i;
+  }
+  data[children_at] = static_cast<char>(present);
+}
+
+void count(const TreeBlocks& blocks, const NodeBlock& block, std::size_t child, int level, LogOddsTree::Size& size) {
   ++size.nodes;
-  if (block.children[child] == 0) return (void)++size.leaves;
-  const NodeBlock& children = blocks[block.children[child]];
+  const BlockNumber children = block.children[child];
+  if (children == 0) return (void)++size.leaves;
   for (std::size_t i = 0; i < 8; ++i) {
-    if (children.has(i)) count(blocks, children, i, size);
+    if (level > 1 && blocks.nodes[children].has(i)) count(blocks, blocks.nodes[children], i, level - 1, size);
+    if (level > 1 || !blocks.voxels[children].has(i)) continue;
+    ++size.nodes;
+    ++size.leaves;
   }
 }
 
@@ -46,7 +61,7 @@ void count(const NodeBlocks& blocks, const NodeBlock& block, std::size_t child, 
 /// there is one that has nothing to prune; the root stays.
 class MostLikely {
  public:
-  MostLikely(const NodeBlocks& blocks, const NodeBlock& top) : blocks_(blocks) {
+  MostLikely(const TreeBlocks& blocks, const NodeBlock& top) : blocks_(blocks) {
     state(top, 0, 0);
     while (last_pruned_ > 1 && pruned_[static_cast<std::size_t>(last_pruned_) - 1] > 0) --last_pruned_;
     write(top, 0, 0);
@@ -63,12 +78,27 @@ class MostLikely {
   /// The state of a node if every level were pruned; counts what is pruned on each.
   State state(const NodeBlock& block, std::size_t child, std::size_t depth) {
     if (block.children[child] == 0) return of_leaf(block.log_odds[child]);
-    const NodeBlock& children = blocks_[block.children[child]];
-    std::array<State, 8> states{};
-    for (std::size_t i = 0; i < 8; ++i) states[i] = children.has(i) ? state(children, i, depth + 1) : unknown;
+    const auto states = states_below(block.children[child], depth, [&](const NodeBlock& children, std::size_t i) {
+      return state(children, i, depth + 1);
+    });
     if (!alike(states)) return inner;
     ++pruned_[depth];
     return states[0];
+  }
+
+  /// Of a node's children; `of_node` of those that may have children of their own.
+  template <class OfNode>
+  std::array<State, 8> states_below(BlockNumber number, std::size_t depth, const OfNode& of_node) const {
+    std::array<State, 8> states{};
+    for (std::size_t i = 0; i < 8; ++i) {
+      if (depth + 1 < kTreeLevels) {
+        const NodeBlock& children = blocks_.nodes[number];
+        if (children.has(i)) states[i] = of_node(children, i);
+      } else if (blocks_.voxels[number].has(i)) {
+        states[i] = of_leaf(blocks_.voxels[number].log_odds[i]);
+      }
+    }
+    return states;
   }
 
   static bool alike(const std::array<State, 8>& states) {
@@ -83,9 +113,11 @@ class MostLikely {
     const std::size_t at = data.size(), nodes_before = nodes;
     data.resize(at + 2);
     if (block.children[child] == 0) return inner;  // a root alone
-    const NodeBlock& children = blocks_[block.children[child]];
-    std::array<State, 8> states{};
-    for (std::size_t i = 0; i < 8; ++i) states[i] = children.has(i) ? write(children, i, depth + 1) : unknown;
+    const auto states = states_below(block.children[child], depth, [&](const NodeBlock& children, std::size_t i) {
+      return write(children, i, depth + 1);
+    });
+    if (depth + 1 == kTreeLevels)
+      nodes += 8 - static_cast<std::size_t>(std::count(states.begin(), states.end(), unknown));
     if (static_cast<int>(depth) >= last_pruned_ && alike(states)) {
       data.resize(at);
       nodes = nodes_before;
@@ -98,7 +130,7 @@ class MostLikely {
     return inner;
   }
 
-  const NodeBlocks& blocks_;
+  const TreeBlocks& blocks_;
   std::array<std::size_t, kTreeLevels> pruned_{};  ///< By depth.
   int last_pruned_ = kTreeLevels;                  ///< The least depth that is pruned.
 };
@@ -107,13 +139,13 @@ class MostLikely {
 
 LogOddsTree::Size LogOddsTree::size() const {
   Size size;
-  if (top_.has(0)) count(blocks_, top_, 0, size);
+  if (top_.has(0)) count(blocks_, top_, 0, kTreeLevels, size);
   return size;
 }
 
 std::string LogOddsTree::ot_bytes(double resolution_m) const {
   std::string data;
-  if (top_.has(0)) write_values(blocks_, top_, 0, data);
+  if (top_.has(0)) write_values(blocks_, top_, 0, kTreeLevels, data);
   return header("# Octomap OcTree file", data.size() / (sizeof(float) + 1), resolution_m) + data;
 }
 
