@@ -4,7 +4,10 @@
 #include <cmath>
 #include <string_view>
 
+#include "bot_core/ins_t.hpp"
 #include "common/messages/bad_message.h"
+#include "common/messages/codec.h"
+#include "common/messages/imu_message.h"
 
 namespace scanway {
 namespace {
@@ -49,6 +52,20 @@ LinePiece piece_of(const laser_line_t& message) {
 
 PanTiltAngles angles_of(const bot_core::joint_state_t& message) {
   return {message.utime, angle_of(message, "pan"), angle_of(message, "tilt")};
+}
+
+AssemblyInput assembly_input(const RawChannel::Messages& lines, const RawChannel::Messages& angles,
+                             const RawChannel::Messages& imu) {
+  AssemblyInput input;
+  LineCollector collector;
+  for (const auto* line : lines) collector.add(piece_of(decode<laser_line_t>(line->second)));
+  input.lines = collector.take();
+  for (const auto* state : angles) input.angles.push_back(angles_of(decode<bot_core::joint_state_t>(state->second)));
+  for (const auto* one : imu) {
+    const auto message = decode<bot_core::ins_t>(one->second);
+    input.orientations.push_back({message.utime, orientation_of(message)});
+  }
+  return input;
 }
 
 }  // namespace scanway

@@ -21,21 +21,12 @@ constexpr Utime kBound = kMicrosecondsPerSecond;
 /// Lines are asked for again, for most of the minute that the bridge keeps them.
 constexpr Utime kLineBound = 40 * kMicrosecondsPerSecond;
 constexpr Utime kAskEvery = 50'000;
-constexpr Utime kInFlight = 100'000;    // From a line's end to the arrival of its last piece.
-constexpr Utime kLongestLine = 50'000;  // At 25 Hz the mirror turns in 40 ms.
 constexpr Utime kBeforeStart = 2 * kMicrosecondsPerSecond;
 constexpr Utime kHistory = 300 * kMicrosecondsPerSecond;  // Kept outside sweeps: the marks may come late.
 constexpr Utime kMaxUtime = Utime{1} << 60;               // Messages say what they like; sums must not overflow.
 constexpr std::size_t kMostLineBytes = std::size_t{256} << 20;
 constexpr std::size_t kMostDone = 1000;
 constexpr int kMostSilences = 5;
-
-template <class T>
-std::vector<T> decoded(const RawChannel::Messages& messages) {
-  std::vector<T> all;
-  for (const RawChannel::Message* message : messages) all.push_back(decode<T>(message->second));
-  return all;
-}
 
 }  // namespace
 
@@ -74,11 +65,7 @@ void SweepAssembler::keep(Input& input, Utime utime, const BusMessage& message) 
 
 void SweepAssembler::take_line(const laser_line_t& line, const BusMessage& message) {
   if (line.echo != 0) return;
-  const LinePiece piece = piece_of(line);
-  const double lasts_us = piece.line.beam_period_us * piece.beams_of_line;
-  if (lasts_us > static_cast<double>(kLongestLine) || !collector_.add(piece)) throw BadMessage("not of its line");
-  if (std::exchange(numbered_since_, line.numbered_since) != line.numbered_since) line_times_.clear();
-  line_times_.try_emplace(line.line, line.utime, line.utime + static_cast<Utime>(lasts_us));
+  record_.add(line);
   keep(lines_, line.utime, message);
 }
 
@@ -163,58 +150,20 @@ void SweepAssembler::ask_for_lines() {
   if (!ask_) return;
   for (const auto& [number, sweep] : open_) {
     if (!sweep.started) continue;
-    const auto request = asker_.ask(missing_lines(sweep), numbered_since_, newest_);
+    const auto request = asker_.ask(missing_lines(sweep), record_.numbered_since(), newest_);
     if (request) bus_.publish(channel::kLineRequest.name, encode(*request), request->utime);
   }
 }
 
-/// Of the sweep, as far as it has come.
 LineStretches SweepAssembler::missing_lines(const OpenSweep& sweep) const {
-  LineStretches wanted = missing_at_edges(sweep);
-  for (const auto& stretch : collector_.missing()) {
-    const auto behind = line_times_.upper_bound(stretch.second);
-    const auto at = line_times_.lower_bound(stretch.first);
-    const auto ahead = at == line_times_.begin() ? at : std::prev(at);
-    const bool last = behind == line_times_.end();
-    if (last && line_times_.rbegin()->second.end + kInFlight >= newest_ && silences_ == 0) continue;
-    if (!last && behind->second.begin < *sweep.started) continue;
-    if (ahead != line_times_.end() && sweep.ended && ahead->second.begin > *sweep.ended) continue;
-    wanted.push_back(stretch);
-  }
-  return wanted;
-}
-
-/// Before the first line that came, and behind the last.
-LineStretches SweepAssembler::missing_at_edges(const OpenSweep& sweep) const {
-  if (line_times_.size() < 2) return {};
-  const auto& [first, first_time] = *line_times_.begin();
-  const auto& [last, last_time] = *line_times_.rbegin();
-  const Utime period = std::max<Utime>(1, (last_time.begin - first_time.begin) / (last - first));
-  LineStretches edges;
-  const Utime lacks_ahead = (first_time.begin - *sweep.started) / period;
-  if (lacks_ahead > 0 && first > 0) edges.emplace_back(std::max<std::int64_t>(0, first - lacks_ahead), first - 1);
-  if (!sweep.ended || newest_ < *sweep.ended + kInFlight) return edges;
-  const Utime lacks_behind = (*sweep.ended - last_time.begin) / period;
-  if (lacks_behind > 0) edges.emplace_back(last + 1, last + lacks_behind);
-  return edges;
+  return record_.missing({*sweep.started, sweep.ended}, newest_, silences_ > 0);
 }
 
 bool SweepAssembler::is_complete(const OpenSweep& sweep) const {
   const Utime ended = *sweep.ended;
   const auto reaches = [&](const Input& input) { return input.messages.newest().value_or(0) >= ended; };
-  return reaches(angles_) && reaches(imu_) && !line_times_.empty() && line_times_.rbegin()->second.end >= ended &&
-         last_line_is_whole(ended) && missing_lines(sweep).empty();
-}
-
-/// Of the line that the pan ends in, some pieces may still be in flight, which nobody misses yet.
-bool SweepAssembler::last_line_is_whole(Utime ended) const {
-  std::int64_t last = -1;
-  for (const auto& [number, time] : line_times_) {
-    if (time.begin <= ended) last = number;
-  }
-  const LineStretches missing = collector_.missing();
-  return std::none_of(missing.begin(), missing.end(),
-                      [last](const auto& stretch) { return stretch.first <= last && last <= stretch.second; });
+  return reaches(angles_) && reaches(imu_) && record_.reaches(ended) && record_.last_is_whole(ended) &&
+         missing_lines(sweep).empty();
 }
 
 bool SweepAssembler::is_given_up(const OpenSweep& sweep) const {
@@ -227,17 +176,15 @@ void SweepAssembler::make(const Number& number, const OpenSweep& sweep) {
   open_.erase(number);
   while (done_.size() > kMostDone) done_.erase(done_.begin());
   const Utime started = *sweep.started, ended = *sweep.ended;
-  const auto lines = lines_.messages.from_to(started - kLongestLine, ended);
+  const auto lines = lines_.messages.from_to(started - LineRecord::kLongestLine, ended);
   const auto angles = angles_.messages.around(started, ended);
   const auto imu = imu_.messages.from_to(started, ended);
   const auto marks = marks_.messages.from_to(started, ended);
 
-  AssemblyInput input{number.second, started, ended, {}, {}, {}};
-  LineCollector collector;
-  for (const auto& line : decoded<laser_line_t>(lines)) collector.add(piece_of(line));
-  input.lines = collector.take();
-  for (const auto& state : decoded<bot_core::joint_state_t>(angles)) input.angles.push_back(angles_of(state));
-  for (const auto& one : decoded<bot_core::ins_t>(imu)) input.orientations.push_back({one.utime, orientation_of(one)});
+  AssemblyInput input = assembly_input(lines, angles, imu);
+  input.sweep = number.second;
+  input.started = started;
+  input.ended = ended;
   const AssembledSweep assembled = assemble(input, robot_);
   tally_.made(assembled);
 
@@ -269,11 +216,8 @@ void SweepAssembler::forget() {
     return std::max(closed_, history) - kBeforeStart;
   };
   for (Input* input : {&imu_, &angles_, &lines_, &marks_}) input->messages.forget_before(floor(*input));
-  collector_.take_before(floor(lines_));
-  while (!line_times_.empty() && line_times_.begin()->second.begin < floor(lines_)) {
-    line_times_.erase(line_times_.begin());
-  }
-  if (!line_times_.empty()) asker_.forget_before(line_times_.begin()->first);
+  record_.forget_before(floor(lines_));
+  if (const auto first = record_.first()) asker_.forget_before(*first);
 }
 
 std::map<std::string, std::int64_t> SweepAssembler::counters() const {
@@ -281,7 +225,7 @@ std::map<std::string, std::int64_t> SweepAssembler::counters() const {
   all.merge(std::map<std::string, std::int64_t>{
       {"assembler_line_requests", asker_.requests()},
       {"assembler_lines_asked", asker_.lines_asked()},
-      {"assembler_repeated_pieces", static_cast<std::int64_t>(collector_.repeated_pieces())},
+      {"assembler_repeated_pieces", static_cast<std::int64_t>(record_.repeated_pieces())},
       {"assembler_late_lines", lines_.late},
       {"assembler_late_angles", angles_.late},
       {"assembler_late_marks", marks_.late},

@@ -16,8 +16,8 @@
 #include "common/bus/channels.h"
 #include "common/robot/robot.h"
 #include "modules/mapper/core/assembly/assembly.h"
-#include "modules/mapper/core/assembly/line_collector.h"
 #include "modules/mapper/node/line_asker.h"
+#include "modules/mapper/node/line_record.h"
 #include "modules/mapper/node/raw_channel.h"
 #include "modules/mapper/node/sweep_tally.h"
 #include "scanway/laser_line_t.hpp"
@@ -79,9 +79,7 @@ class SweepAssembler {
   void work();
   void ask_for_lines();
   LineStretches missing_lines(const OpenSweep& sweep) const;
-  LineStretches missing_at_edges(const OpenSweep& sweep) const;
   bool is_complete(const OpenSweep& sweep) const;
-  bool last_line_is_whole(Utime ended) const;
   bool is_given_up(const OpenSweep& sweep) const;
   void make(const Number& number, const OpenSweep& sweep);
   void publish(const AssembledSweep& assembled, Utime ended, sweep_inputs_t inputs);
@@ -92,12 +90,7 @@ class SweepAssembler {
   const std::function<void(SweepOrigin)> assembled_;
   const bool ask_;
   Input lines_, angles_, marks_, imu_;
-  LineCollector collector_;  // What of lines_ is whole.
-  struct LineTime {
-    Utime begin = 0, end = 0;
-  };
-  std::map<std::int64_t, LineTime> line_times_;  // By number; also of those that are not whole.
-  std::int64_t numbered_since_ = 0;              // Of the lines.
+  LineRecord record_;  // Of lines_.
   LineAsker asker_;
   Utime next_ask_ = 0;
   std::map<Number, OpenSweep> open_;
