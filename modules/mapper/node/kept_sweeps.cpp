@@ -4,6 +4,7 @@
 #include "common/bus/channels.h"
 #include "common/bus/log_reader.h"
 #include "common/files/input_error.h"
+#include "common/messages/bad_message.h"
 #include "common/messages/codec.h"
 #include "modules/mapper/node/mapper_node.h"
 
@@ -68,6 +69,18 @@ void MapperNode::take_origin(const BusMessage& message) {
     expect(std::move(origin));
   } catch (const BadMessage&) {
     ++bad_messages_;
+  }
+}
+
+void MapperNode::keep(const Object& sweep, const std::optional<Orientation>& orientation) {
+  if (store_ == nullptr) return;
+  try {
+    const auto origin = origins_.find(sweep.digest);
+    const auto inputs = origin == origins_.end() ? std::vector<std::uint8_t>() : encode(origin->second.inputs);
+    store_->keep(sweep, orientation ? orientation->message : std::vector<std::uint8_t>(), inputs);
+    store_trouble_.clear();
+  } catch (const InputError& error) {
+    store_trouble_ = std::string("sweeps are not kept: ") + error.what();
   }
 }
 

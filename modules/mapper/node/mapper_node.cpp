@@ -1,7 +1,6 @@
 #include "modules/mapper/node/mapper_node.h"
 
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <memory>
@@ -10,17 +9,15 @@
 
 #include "common/bus/channels.h"
 #include "common/files/input_error.h"
-#include "common/math/repeatable.h"
 #include "common/messages/bad_message.h"
 #include "common/messages/codec.h"
 #include "common/messages/digest.h"
 #include "common/messages/imu_message.h"
 #include "common/messages/pose_message.h"
-#include "common/messages/rigid.h"
 #include "common/messages/sweep_message.h"
 #include "modules/mapper/node/bytes_on_disk.h"
+#include "modules/mapper/node/placement_message.h"
 #include "modules/mapper/node/sweeps_on_disk.h"
-#include "scanway/registration_t.hpp"
 
 namespace scanway {
 namespace {
@@ -37,37 +34,6 @@ constexpr int kMostSilences = 10;
 std::vector<MergedChannel> merged_channels() {
   return {{std::string(channel::kImu.name), kMicrosecondsPerSecond, true},
           {std::string(channel::kSweep.name), kSweepBound, true}};
-}
-
-registration_t to_message(const SweepResult& result) {
-  registration_t message{};
-  message.utime = result.utime;
-  message.scan_name = result.name;
-  message.target_name = result.target;
-  message.accepted = result.verdict == Verdict::accepted;
-  message.reason = result.reason;
-  message.probability = result.registration.probability;
-  message.overlap = result.registration.overlap;
-  message.inlier_rmse_m = result.registration.inlier_rmse_m;
-  put_rows(result.X_map_sweep, message.T_map_scan);
-  for (int row = 0; row < 6; ++row) {
-    for (int column = 0; column < 6; ++column) {
-      message.covariance[row * 6 + column] = result.registration.covariance(row, column);
-    }
-  }
-  message.open_directions = result.registration.open_directions;
-  message.nopen_directions = static_cast<std::int16_t>(message.open_directions.size());
-  return message;
-}
-
-/// Where the robot stands: below the sensor, on the ground that the sweep found, else in the sweep's own origin.
-Pose base_pose(const SweepResult& result, const Sweep& sweep) {
-  Pose X_map_base = result.X_map_sweep;
-  if (result.change.ground.plane) {
-    X_map_base.translation() = result.X_map_sweep * sweep.origin;
-    X_map_base.translation().z() -= result.change.ground.sensor_height_m;
-  }
-  return X_map_base;
 }
 
 }  // namespace
@@ -89,17 +55,19 @@ OrderedMerge<MapperNode::Input> MapperNode::merge() {
 
 std::map<std::string, std::int64_t> MapperNode::counters() const {
   const AssemblerCounters& pieces = sweeps_.counters();
-  return {{"mapper_bad_messages", bad_messages_ + sweeps_.bad_messages()},
-          {"mapper_bad_pieces", static_cast<std::int64_t>(pieces.bad_pieces)},
-          {"mapper_bad_sweeps", static_cast<std::int64_t>(pieces.bad_objects)},
-          {"mapper_repeated_pieces", static_cast<std::int64_t>(pieces.repeated_pieces)},
-          {"mapper_incomplete_sweeps", static_cast<std::int64_t>(sweeps_.incomplete().size())},
-          {"mapper_given_up_sweeps", static_cast<std::int64_t>(pieces.given_up)},
-          {"mapper_late_imu", static_cast<std::int64_t>(inputs_.late(kImuInput))},
-          {"mapper_late_sweeps", static_cast<std::int64_t>(inputs_.late(kSweepInput))},
-          {"mapper_corrections", corrections_},
-          {"mapper_sweeps_settled_in_silence", settled_in_silence_},
-          {"mapper_sweeps_without_orientation", without_orientation_}};
+  std::map<std::string, std::int64_t> counters{
+      {"mapper_bad_messages", bad_messages_ + sweeps_.bad_messages()},
+      {"mapper_bad_pieces", static_cast<std::int64_t>(pieces.bad_pieces)},
+      {"mapper_bad_sweeps", static_cast<std::int64_t>(pieces.bad_objects)},
+      {"mapper_repeated_pieces", static_cast<std::int64_t>(pieces.repeated_pieces)},
+      {"mapper_incomplete_sweeps", static_cast<std::int64_t>(sweeps_.incomplete().size())},
+      {"mapper_given_up_sweeps", static_cast<std::int64_t>(pieces.given_up)},
+      {"mapper_late_imu", static_cast<std::int64_t>(inputs_.late(kImuInput))},
+      {"mapper_late_sweeps", static_cast<std::int64_t>(inputs_.late(kSweepInput))},
+      {"mapper_sweeps_settled_in_silence", settled_in_silence_},
+      {"mapper_sweeps_without_orientation", without_orientation_}};
+  counters.merge(placements_.counters());
+  return counters;
 }
 
 void MapperNode::take_imu(const BusMessage& message) {
@@ -185,24 +153,12 @@ void MapperNode::add_sweep(ArrivedSweep&& arrived) {
   if (result.verdict == Verdict::accepted) map_utime_ = result.utime;
   last_sweep_ = arrived.object.digest;
   if (silent_) return;
-  tell(result.correction);
+  placements_.count(result);
   begin_stage(stages_, "publish");
   publish_result(result, arrived.sweep);
   carry_out_due();
   begin_stage(stages_, "");
   if (finished_) finished_(arrived.sweep.name, arrived.sweep.utime);
-}
-
-void MapperNode::keep(const Object& sweep, const std::optional<Orientation>& orientation) {
-  if (store_ == nullptr) return;
-  try {
-    const auto origin = origins_.find(sweep.digest);
-    const auto inputs = origin == origins_.end() ? std::vector<std::uint8_t>() : encode(origin->second.inputs);
-    store_->keep(sweep, orientation ? orientation->message : std::vector<std::uint8_t>(), inputs);
-    store_trouble_.clear();
-  } catch (const InputError& error) {
-    store_trouble_ = std::string("sweeps are not kept: ") + error.what();
-  }
 }
 
 void MapperNode::finish() {
@@ -229,6 +185,7 @@ map_state_t MapperNode::state() const {
 
 std::string MapperNode::summary() const {
   std::vector<std::string> sentences;
+  if (!placements_.note().empty()) sentences.push_back(placements_.note());
   if (!store_trouble_.empty()) sentences.push_back(store_trouble_);
   if (const auto sweeps = sweeps_.incomplete(); !sweeps.empty()) {
     sentences.push_back(fmt::format("sweep {} lacks {} of {} pieces", sweeps.front().key, sweeps.front().missing_count,
@@ -267,17 +224,10 @@ input_span_t MapperNode::imu_span() const {
 }
 
 void MapperNode::publish_result(const SweepResult& result, const Sweep& sweep) {
-  bus_.publish(channel::kRegistration.name, encode(to_message(result)), result.utime);
+  bus_.publish(channel::kRegistration.name, encode(registration_message(result)), result.utime);
   if (result.verdict != Verdict::accepted) return;
   bus_.publish(channel::kPose.name, encode(pose_message(result.utime, base_pose(result, sweep))), result.utime);
   publisher_.publish(mapper_.map(), result.change, result.utime);
-}
-
-void MapperNode::tell(const MapCorrection& correction) {
-  if (correction.remade == 0) return;
-  ++corrections_;
-  spdlog::info("{} sweeps moved by up to {:.1f} cm and {:.2f} degrees: the map followed", correction.remade,
-               100.0 * correction.shift_m, correction.turn * 180.0 / repeatable::kPi);
 }
 
 }  // namespace scanway

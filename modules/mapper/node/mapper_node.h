@@ -22,6 +22,7 @@
 #include "modules/mapper/core/mapper.h"
 #include "modules/mapper/node/map_commands.h"
 #include "modules/mapper/node/map_publisher.h"
+#include "modules/mapper/node/placement_tally.h"
 #include "modules/mapper/node/sweep_assembler.h"
 #include "modules/mapper/node/sweep_store.h"
 #include "scanway/map_state_t.hpp"
@@ -101,7 +102,6 @@ class MapperNode {
   input_span_t imu_span() const;
   void publish_result(const SweepResult& result, const Sweep& sweep);
   void keep(const Object& sweep, const std::optional<Orientation>& orientation);
-  void tell(const MapCorrection& correction);
   void take_command(const BusMessage& message);
   void carry_out_due();
   void carry_out(const map_command_t& command);
@@ -116,6 +116,7 @@ class MapperNode {
   StageListener* stages_;
   Mapper mapper_;
   MapPublisher publisher_;
+  PlacementTally placements_;
   ObjectInput<Sweep> sweeps_;
   OrderedMerge<Input> inputs_;
   std::optional<Orientation> newest_orientation_;  // That the merge let go.
@@ -138,7 +139,6 @@ class MapperNode {
   Utime map_utime_ = 0;  // Of the newest sweep in the map.
   std::int64_t settled_in_silence_ = 0;
   std::int64_t without_orientation_ = 0;
-  std::int64_t corrections_ = 0;
   std::int64_t bad_messages_ = 0;
 };
 

@@ -139,6 +139,20 @@ TEST_F(MapperNodeTest, WithoutATrackerASweepIsClosedAndThatIsSaid) {
   EXPECT_NE(node.summary().find("no orientation"), std::string::npos);
 }
 
+TEST_F(MapperNodeTest, ARefusedSweepIsCountedAndItsReasonSaid) {
+  MapperNode node(bus_, Robot{});
+  send_sweep(bus_, kStart, "a");
+  Sweep elsewhere = room(kStart + 20'000'000, "b");
+  Random random(2);
+  for (Eigen::Vector3f& p : elsewhere.cloud.points) p *= static_cast<float>(1.0 + 3.0 * random.uniform());
+  publish_object(bus_, channel::kSweep, encode(to_message(elsewhere)), "b", ++sent_, elsewhere.utime);
+  bus_.dispatch();
+  node.finish();
+  EXPECT_EQ(node.state().map_version, 1);
+  EXPECT_EQ(node.counters().at("mapper_sweeps_refused"), 1);
+  EXPECT_NE(node.summary().find("b was refused: "), std::string::npos) << node.summary();
+}
+
 TEST_F(MapperNodeTest, AListedSweepGetsTheOrientationThatItHadWhateverCame) {
   const auto imu = encode(imu_message(kStart - 20'000, Eigen::Quaterniond::Identity()));
   const auto digest_of_sweep = [](Utime utime, const std::string& name) {
