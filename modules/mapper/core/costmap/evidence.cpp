@@ -26,19 +26,34 @@ void count_returns(SweepEvidence& evidence, const std::vector<ObstacleReturn>& o
   }
 }
 
-/// Whether anything was seen to be free in the tile; `tile` then says what.
+/// What the beams over one cell say, where the ground is at `place`.
+std::uint8_t passed_over(double x, double y, const GroundSurface::Place& place, const SweepView& view,
+                         const DropView& drops) {
+  if (!place.carried) return view.seen_empty(x, y, place.height) ? EvidenceTile::kEmpty : 0;
+  switch (drops.below(x, y, place.height)) {
+    case DropView::Below::drop:
+      return EvidenceTile::kDrop;
+    case DropView::Below::far_drop:
+      return EvidenceTile::kFarDrop;
+    case DropView::Below::passed:
+      return 0;
+    default:
+      return view.seen_empty(x, y, place.height) ? EvidenceTile::kEmpty : 0;
+  }
+}
+
+/// Whether anything was seen in the tile; `tile` then says what.
 bool look_at_ground(Cell index, EvidenceTile& tile, const GroundSurface& ground, const SweepView& view,
-                    double resolution) {
+                    const DropView& drops, double resolution) {
   bool any = false;
   for (std::int32_t row = 0; row < CostTile::kSide; ++row) {
     const double y = (index.y * CostTile::kSide + row + 0.5) * resolution;
     for (std::int32_t column = 0; column < CostTile::kSide; ++column) {
       const double x = (index.x * CostTile::kSide + column + 0.5) * resolution;
       const GroundSurface::Place place = ground.at(x, y);
-      if (!place.carried) continue;
       const std::size_t cell = static_cast<std::size_t>(row) * CostTile::kSide + column;
-      tile.ground[cell] = static_cast<std::uint8_t>(place.support);
-      tile.beams[cell] = view.seen_empty(x, y, place.height) ? 1 : 0;
+      if (place.carried) tile.ground[cell] = static_cast<std::uint8_t>(place.support);
+      tile.beams[cell] = passed_over(x, y, place, view, drops);
       any = any || tile.beams[cell] != 0;
     }
   }
@@ -89,7 +104,7 @@ void stand(SweepEvidence& evidence, const Robot::Body& body, const Pose& X_map_s
       const std::size_t cell = CostMap::index_in_tile({x, y});
       if (!below && (tile.returns[cell] != 0 || tile.ground[cell] == 0 || tile.beams[cell] != 0)) continue;
       tile.returns[cell] = 0;
-      tile.beams[cell] = below ? 1 : EvidenceTile::kOwnShadow;
+      tile.beams[cell] = below ? EvidenceTile::kEmpty : EvidenceTile::kOwnShadow;
       if (below) tile.ground[cell] = 1;
     }
   }
@@ -98,8 +113,8 @@ void stand(SweepEvidence& evidence, const Robot::Body& body, const Pose& X_map_s
 }  // namespace
 
 SweepEvidence gather_evidence(const std::vector<ObstacleReturn>& obstacles, const GroundSurface& ground,
-                              const SweepView& view, const Robot::Body& body, const Pose& X_map_sweep,
-                              double resolution_m) {
+                              const SweepView& view, const DropView& drops, const Robot::Body& body,
+                              const Pose& X_map_sweep, double resolution_m) {
   SweepEvidence evidence;
   count_returns(evidence, obstacles, resolution_m);
 
@@ -116,9 +131,11 @@ SweepEvidence gather_evidence(const std::vector<ObstacleReturn>& obstacles, cons
   for_blocks(tiles.size(), 16, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t i = begin; i < end; ++i) {
       const double side = CostTile::kSide * resolution_m, x = tiles[i].x * side, y = tiles[i].y * side;
-      if (!ground.carries_within(x, y, x + side, y + side)) continue;
+      const double dx = x + side / 2 - o.x(), dy = y + side / 2 - o.y();
+      const bool near = dx * dx + dy * dy < SweepView::kMissingRange * SweepView::kMissingRange;
+      if (!near && !ground.carries_within(x, y, x + side, y + side)) continue;
       auto tile = std::make_unique<EvidenceTile>();
-      if (look_at_ground(tiles[i], *tile, ground, view, resolution_m)) seen[i] = std::move(tile);
+      if (look_at_ground(tiles[i], *tile, ground, view, drops, resolution_m)) seen[i] = std::move(tile);
     }
   });
   for (std::size_t i = 0; i < tiles.size(); ++i) {
@@ -135,11 +152,9 @@ void apply_evidence(CostMap& map, const SweepEvidence& evidence) {
   for (const auto& [index, tile] : evidence) {
     CostTile* target = nullptr;
     for (std::size_t cell = 0; cell < CostTile::kCells; ++cell) {
-      const CellState state = tile.state(cell);
-      if (state == CellState::unknown) continue;
+      if (!tile.says_anything(cell)) continue;
       if (target == nullptr) target = &map.tiles[index];
-      if (tile.yields(cell) && target->state[cell] != CellState::unknown) continue;
-      target->state[cell] = state;
+      target->state[cell] = tile.over(target->state[cell], cell);
     }
   }
 }

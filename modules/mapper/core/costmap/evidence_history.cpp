@@ -33,9 +33,8 @@ const std::uint8_t* unpack(const std::uint8_t* runs, Plane& plane) {
 bool overlay(const EvidenceTile& evidence, CostTile& tile) {
   bool changed = false;
   for (std::size_t cell = 0; cell < CostTile::kCells; ++cell) {
-    const CellState state = evidence.state(cell);
-    if (state == CellState::unknown || state == tile.state[cell]) continue;
-    if (evidence.yields(cell) && tile.state[cell] != CellState::unknown) continue;
+    const CellState state = evidence.over(tile.state[cell], cell);
+    if (state == tile.state[cell]) continue;
     tile.state[cell] = state;
     changed = true;
   }
@@ -44,7 +43,7 @@ bool overlay(const EvidenceTile& evidence, CostTile& tile) {
 
 bool says_anything(const EvidenceTile& evidence) {
   for (std::size_t cell = 0; cell < CostTile::kCells; ++cell) {
-    if (evidence.state(cell) != CellState::unknown) return true;
+    if (evidence.says_anything(cell)) return true;
   }
   return false;
 }

@@ -1,5 +1,8 @@
 #include "modules/mapper/core/costmap/look.h"
 
+#include <vector>
+
+#include "modules/mapper/core/costmap/drop_view.h"
 #include "modules/mapper/core/costmap/obstacle_returns.h"
 #include "modules/mapper/core/costmap/sweep_view.h"
 #include "modules/mapper/core/ground/ground_surface.h"
@@ -7,13 +10,32 @@
 namespace scanway {
 namespace {
 
+constexpr double kLeastLevel = 2.0;  // square metres: more than a pallet
+
 GroundSurfaceConfig surface_config(const Robot& robot) {
-  return {robot.body.climbable_step_m, robot.body.climbable_slope, robot.laser.range_sigma_m, kCostMapReach};
+  return {robot.body.climbable_step_m, robot.body.climbable_slope, robot.laser.range_sigma_m, kCostMapReach,
+          kLeastLevel};
 }
 
 SweepViewConfig view_config(const Robot& robot) {
-  return {robot.body.height_m, robot.body.climbable_step_m, robot.laser.range_sigma_m, robot.laser.divergence,
-          kCostMapReach};
+  return {robot.body.height_m,    robot.body.climbable_step_m, robot.laser.range_sigma_m,
+          robot.laser.divergence, robot.body.climbable_slope,  kCostMapReach};
+}
+
+/// The directions, in the map, of the beams that met nothing.
+std::vector<Eigen::Vector3f> missing_beams(const Sweep& sweep, const Pose& X_map_sweep) {
+  std::vector<Eigen::Vector3f> directions;
+  for (const BeamFan& fan : sweep.no_return) {
+    for (int i = 0; i < fan.beams; ++i) {
+      const Eigen::Vector3d d = fan.direction(i);
+      Eigen::Vector3d turned;
+      for (int row = 0; row < 3; ++row) {
+        turned[row] = (X_map_sweep(row, 0) * d.x() + X_map_sweep(row, 1) * d.y()) + X_map_sweep(row, 2) * d.z();
+      }
+      if (turned.z() < 0.0) directions.push_back(turned.cast<float>());
+    }
+  }
+  return directions;
 }
 
 }  // namespace
@@ -49,8 +71,10 @@ Look look(const MapPoints& points, const Sweep& sweep, const Pose& X_map_sweep, 
   begin_stage(stages, "cost_map");
   const SweepViewConfig config = view_config(robot);
   const std::vector<ObstacleReturn> obstacles = obstacle_returns(points, surface, config);
-  const SweepView view(points, surface, obstacles, config);
-  seen.evidence = gather_evidence(obstacles, surface, view, robot.body, X_map_sweep, robot.mapping.cost_map_resolution_m);
+  const SweepView view(points, missing_beams(sweep, X_map_sweep), surface, obstacles, config);
+  const DropView drops(points, surface, config);
+  seen.evidence =
+      gather_evidence(obstacles, surface, view, drops, robot.body, X_map_sweep, robot.mapping.cost_map_resolution_m);
   return seen;
 }
 

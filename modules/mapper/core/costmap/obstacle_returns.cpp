@@ -26,7 +26,12 @@ std::vector<Keyed> collect(const MapPoints& points, const GroundSurface& ground,
     const double range2 = p.x() * p.x() + p.y() * p.y();
     if (range2 > config.max_range_m * config.max_range_m) continue;
     const double above = point.z() - ground.height_at(point.x(), point.y());
-    if (!is_obstacle_return(above, p.z(), std::sqrt(range2 + p.z() * p.z()), config)) continue;
+    const double distance = std::sqrt(range2 + p.z() * p.z());
+    const bool in_the_way = is_obstacle_return(above, p.z(), distance, config);
+    // The face of a pit's far side: below ground that lies over it.
+    if (!in_the_way && !(is_obstacle_return(-above, p.z(), distance, config) && ground.carried(point.x(), point.y()))) {
+      continue;
+    }
     const double range = std::sqrt(range2);
     const int sector = polar::sector_of(static_cast<float>(p.x()), static_cast<float>(p.y()));
     returns.push_back({static_cast<std::uint64_t>(sector) << 32 | static_cast<std::uint64_t>(range / kUnit),

@@ -12,8 +12,9 @@ struct SweepViewConfig {
   double body_height_m = 1.5;
   double climbable_step_m = 0.02;
   double range_sigma_m = 0.01;
-  double divergence = 0.0047;  ///< Full angle of a beam, radians.
-  double max_range_m = 30.0;   ///< From the sensor, horizontally: nothing is called seen or occupied beyond.
+  double divergence = 0.0047;       ///< Full angle of a beam, radians.
+  double climbable_slope = 0.2618;  ///< Radians.
+  double max_range_m = 30.0;        ///< From the sensor, horizontally: nothing is called seen or occupied beyond.
 };
 
 /// A return from something that the robot's body would hit.

@@ -12,12 +12,12 @@
 namespace scanway {
 namespace {
 
+using polar::kBin;
 using polar::kSectors;
 using polar::sector_of;
 
-constexpr double kBin = 0.02;         // metres
 constexpr double kSparseDepth = 0.5;  // metres behind an obstacle's return: the rows on a table top are this far apart
-constexpr double kTallDepth = 2.0;    // metres behind a return from what the sensor does not look over: a car's width
+constexpr double kTallDepth = 30.0;   // metres behind a return from what the sensor does not look over: a car's width
 constexpr double kLookOver = 0.3;     // metres: the sensor looks over what is this far below it
 constexpr double kMaxSpacing = 0.15;  // metres
 constexpr float kNoBeam = std::numeric_limits<float>::infinity();
@@ -65,8 +65,8 @@ double median_spacing(const MapPoints& points) {
 
 }  // namespace
 
-SweepView::SweepView(const MapPoints& points, const GroundSurface& ground, const std::vector<ObstacleReturn>& obstacles,
-                     const SweepViewConfig& config)
+SweepView::SweepView(const MapPoints& points, const std::vector<Eigen::Vector3f>& missing, const GroundSurface& ground,
+                     const std::vector<ObstacleReturn>& obstacles, const SweepViewConfig& config)
     : config_(config),
       origin_(points.origin),
       spacing_(median_spacing(points)),
@@ -74,6 +74,8 @@ SweepView::SweepView(const MapPoints& points, const GroundSurface& ground, const
   lowest_.assign(static_cast<std::size_t>(kSectors) * bins_, kNoBeam);
   hidden_.assign(lowest_.size(), 0);
   add_beams(points, ground);
+  add_missing(missing, origin_.z() - ground.height_at(origin_.x(), origin_.y()));
+  pass_on();
   hide_behind(obstacles);
   look_around();
 }
@@ -90,6 +92,20 @@ void SweepView::add_beams(const MapPoints& points, const GroundSurface& ground) 
     if (slope >= lowest || point.z() - ground.height_at(point.x(), point.y()) < -floor_band) continue;
     lowest = slope;
   }
+}
+
+void SweepView::add_missing(const std::vector<Eigen::Vector3f>& directions, double sensor_above) {
+  for (const Eigen::Vector3f& d : directions) {
+    const auto slope = static_cast<float>(d.z() / std::max(std::sqrt(d.x() * d.x() + d.y() * d.y()), 1e-4f));
+    const double range = slope < 0.0f ? std::min(kMissingRange, sensor_above / -slope) : kMissingRange;
+    const int last = std::clamp(static_cast<int>(range / kBin), 0, bins_ - 1);
+    float& lowest = lowest_[static_cast<std::size_t>(sector_of(d.x(), d.y())) * bins_ + last];
+    lowest = std::min(lowest, slope);
+  }
+}
+
+/// What passed over a bin passed over all before it.
+void SweepView::pass_on() {
   for_blocks(kSectors, 64, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t sector = begin; sector < end; ++sector) {
       float* lowest = &lowest_[sector * bins_];

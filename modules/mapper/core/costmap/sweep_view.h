@@ -21,13 +21,17 @@ namespace scanway {
 /// from its top, however sparse, and these must not open it between them. It is for 2 m where the obstacle reaches up
 /// to the sensor: nothing shows its depth, and beams that go on below it (a car, a bench) see floor that it covers.
 ///
+/// A beam that met nothing passed over everything as far as kMissingRange, or to where it would have come down:
+/// further out a thing may be too dark for it.
+///
 /// Clouds are thinned in many ways: between two returns that are a thinning step apart, the beams have been thrown
 /// away. A polar cell looks at the sectors within 3/4 of that step, at least one on each side, for the lowest beam and
 /// for what hides it. The step is the median distance of a return to its nearest neighbour, at most 0.15 m.
 class SweepView {
  public:
-  SweepView(const MapPoints& points, const GroundSurface& ground, const std::vector<ObstacleReturn>& obstacles,
-            const SweepViewConfig& config);
+  /// `missing`: unit directions in the map of beams that met nothing.
+  SweepView(const MapPoints& points, const std::vector<Eigen::Vector3f>& missing, const GroundSurface& ground,
+            const std::vector<ObstacleReturn>& obstacles, const SweepViewConfig& config);
 
   /// Whether the air over the ground at (x, y), map frame, was seen to be empty from the climbable step upwards:
   /// the lowest beam passed within the step, the range's deviation, its own half width and the thinning of it.
@@ -35,11 +39,15 @@ class SweepView {
 
   /// The median distance of returns, metres.
   double spacing_m() const { return spacing_; }
+  static constexpr double kMissingRange = 10.0;  ///< Metres, horizontally.
+
   const Eigen::Vector3d& origin() const { return origin_; }  ///< The sensor, in the map.
   double max_range_m() const { return config_.max_range_m; }
 
  private:
   void add_beams(const MapPoints& points, const GroundSurface& ground);
+  void add_missing(const std::vector<Eigen::Vector3f>& directions, double sensor_above);
+  void pass_on();
   void hide_behind(const std::vector<ObstacleReturn>& obstacles);
   void look_around();
 

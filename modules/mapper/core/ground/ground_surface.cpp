@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "common/math/repeatable.h"
+#include "modules/mapper/core/ground/column_offsets.h"
 
 namespace scanway {
 namespace {
@@ -18,23 +19,9 @@ constexpr int kFillRings = 50;           // columns: how far a height is carried
 
 std::int32_t to_units(double metres) { return static_cast<std::int32_t>(std::floor(metres / kUnit + 0.5)); }
 
-/// The columns within reach of a column, itself left out, nearest first.
-std::vector<Eigen::Vector2i> reachable_offsets() {
-  std::vector<Eigen::Vector2i> offsets;
-  constexpr int reach = GroundSurface::kReach;
-  for (int y = -reach; y <= reach; ++y) {
-    for (int x = -reach; x <= reach; ++x) {
-      if ((x != 0 || y != 0) && x * x + y * y <= reach * reach) offsets.emplace_back(x, y);
-    }
-  }
-  std::stable_sort(offsets.begin(), offsets.end(),
-                   [](const auto& a, const auto& b) { return a.squaredNorm() < b.squaredNorm(); });
-  return offsets;
-}
-
-/// The same, computed once.
+/// Those within reach of a column.
 const std::vector<Eigen::Vector2i>& reachable() {
-  static const std::vector<Eigen::Vector2i> offsets = reachable_offsets();
+  static const std::vector<Eigen::Vector2i> offsets = offsets_within(GroundSurface::kReach);
   return offsets;
 }
 
@@ -50,6 +37,9 @@ GroundSurface::GroundSurface(const MapPoints& points, const GroundPlane& plane, 
   sort_points(points);
   start_around_robot();
   cross_gaps();
+  join_levels();
+  find_steps();
+  find_faces();
   for (int cy = 0; cy < side_; ++cy) {
     for (int cx = 0; cx < side_; ++cx) fit_column(cx, cy);
   }
@@ -80,16 +70,17 @@ bool GroundSurface::join(std::size_t which, std::int32_t expected) {
   // Twice: the second time about the mean of the first, so that half of a small step is not cut off.
   for (int round = 0; round < 2; ++round) {
     Column ground;
-    int above = 0;
+    int off = 0;
     for (std::size_t i = first_[which]; i < first_[which + 1]; ++i) {
       const Point& p = points_[i];
       const std::int32_t over = p.u - expected;
-      above += over > band_ && over <= band_ + 1000 ? 1 : 0;
+      off += std::abs(over) > band_ && std::abs(over) <= band_ + 1000 ? 1 : 0;
       if (std::abs(over) > band_) continue;
       ground.x_sum += p.x, ground.y_sum += p.y, ground.u_sum += p.u, ++ground.count;
     }
-    // The lower flank of something higher is no floor: most of what is near the expected height must be at it.
-    if (ground.count == 0 || 2 * ground.count < above) return false;
+    // The lower flank of something higher and the edge of a pit are no floor: most of what is near the expected height
+    // must be at it.
+    if (ground.count == 0 || 2 * ground.count < off) return false;
     column = ground;
     expected = ground.u_sum / ground.count;
   }
@@ -97,15 +88,17 @@ bool GroundSurface::join(std::size_t which, std::int32_t expected) {
   return true;
 }
 
-void GroundSurface::grow(std::vector<std::size_t> front) {
+std::vector<std::size_t> GroundSurface::grow(std::vector<std::size_t> front,
+                                             const std::vector<Eigen::Vector2i>& reach) {
   for (std::size_t next = 0; next < front.size(); ++next) {  // first in, first out
     const int cx = static_cast<int>(front[next] % side_), cy = static_cast<int>(front[next] / side_);
     const std::int32_t height = mean(front[next]);
-    for (const Eigen::Vector2i& offset : reachable()) {
+    for (const Eigen::Vector2i& offset : reach) {
       const int x = cx + offset.x(), y = cy + offset.y();
       if (inside(x, y) && join(index(x, y), height)) front.push_back(index(x, y));
     }
   }
+  return front;
 }
 
 void GroundSurface::start_around_robot() {
@@ -121,7 +114,7 @@ void GroundSurface::start_around_robot() {
       }
     }
   }
-  grow(std::move(front));
+  grow(std::move(front), reachable());
 }
 
 void GroundSurface::cross_gaps() {
@@ -140,7 +133,7 @@ void GroundSurface::cross_gaps() {
           expected = towards.u_sum / towards.count;
           break;
         }
-        if (join(column, expected)) grow({column});
+        if (join(column, expected)) grow({column}, reachable());
       }
     }
   }
@@ -151,10 +144,15 @@ void GroundSurface::fit_column(int cx, int cy) {
   std::array<Eigen::Vector3d, 64> samples;
   std::array<double, 64> weights;
   std::size_t count = 0;
+  const Column& here = columns_[index(cx, cy)];
+  const auto beyond_step = [&](const Column& other, int x, int y) {
+    if (here.step) return std::abs(mean(index(x, y)) - here.lower) > band_;
+    return other.step || stepped_between(cx, cy, x, y);
+  };
   const auto take = [&](int x, int y) {
     if (!inside(cx + x, cy + y)) return;
     const Column& c = columns_[index(cx + x, cy + y)];
-    if (!c.joined) return;
+    if (!c.joined || beyond_step(c, cx + x, cy + y)) return;
     const double points = c.count;
     // relative to the centre of this column
     const Eigen::Vector3d p((x - 0.5) * kColumn + c.x_sum / points * kUnit,
@@ -169,6 +167,11 @@ void GroundSurface::fit_column(int cx, int cy) {
   Column& column = columns_[index(cx, cy)];
   column.support = static_cast<std::uint8_t>(count);
   if (count < 2) return;
+  if (column.step) {
+    column.carried = true;
+    column.height = static_cast<float>(column.lower * kUnit);
+    return;
+  }
 
   const double sxx = xx - x1 * x1 / n + kShrinkage, syy = yy - y1 * y1 / n + kShrinkage, sxy = xy - x1 * y1 / n;
   const double sxu = xu - x1 * u1 / n, syu = yu - y1 * u1 / n;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include <Eigen/Core>
@@ -15,6 +16,10 @@ struct GroundSurfaceConfig {
   double climbable_slope = 0.2618;  ///< Radians.
   double range_sigma_m = 0.01;
   double max_range_m = 30.0;  ///< From the sensor, horizontally: the surface ends there.
+  /// Ground that cannot be reached is ground all the same (a pavement, a traffic island, the bottom of a trench) where
+  /// it shows so much area at one level, square metres. Infinite: only what can be reached.
+  double least_level_m2 = std::numeric_limits<double>::infinity();
+  double highest_level_m = 0.3;  ///< Above the nearest ground: what is higher is furniture.
 };
 
 /// The ground of one sweep, piecewise: what the robot reaches from where it stands without a step that it cannot climb.
@@ -24,6 +29,13 @@ struct GroundSurfaceConfig {
 /// away, heights being counted from the sweep's ground plane, so that an even slope is no step. Floor across a gap or a
 /// shadow joins when it lies at the height of the nearest floor towards the robot. A platform, a table or a kerb that
 /// is too high to climb therefore never joins, however flat it is.
+///
+/// A level that cannot be reached so is ground, too, where it is large and not high above what is (see the config).
+///
+/// Where heights jump by more than the widened step between one side of a column and the other, slopes on both sides
+/// allowed for, a step runs through it: its ground is that of the lower side, whose returns from the step's face and
+/// what is on top then lie above. So it is where the heights within a column spread over more than the step and much
+/// more than in those around it: a step's face, seen from afar.
 ///
 /// A column is carried when at least two joined columns within 0.3 m agree on one plane: of their points at most a
 /// tenth in columns that are off it by more than the widened step, and its slope climbable. The height in the column is
@@ -56,6 +68,9 @@ class GroundSurface {
     std::int32_t x_sum = 0, y_sum = 0, u_sum = 0, count = 0;  ///< Of its ground points; x, y from its corner.
     bool joined = false;
     bool carried = false;
+    bool step = false;                    ///< A step runs through it, to
+    std::int32_t lower = 0;               ///< what lies so high on its lower side.
+    std::int32_t lowest = 0, spread = 0;  ///< Of all points about its ground: the least, the standard deviation.
     std::uint8_t support = 0;
     float height = 0.0f, slope_x = 0.0f, slope_y = 0.0f;  ///< Above the ground plane; at the column's centre.
   };
@@ -67,12 +82,25 @@ class GroundSurface {
 
   void sort_points(const MapPoints& points);
   bool join(std::size_t which, std::int32_t expected);
-  void grow(std::vector<std::size_t> front);
+  /// All that joined, the front first.
+  std::vector<std::size_t> grow(std::vector<std::size_t> front, const std::vector<Eigen::Vector2i>& reach);
   void start_around_robot();
   void cross_gaps();
+  void join_levels();
+  bool try_level(std::size_t seed, std::vector<bool>& tried);
+  bool flat(std::size_t column, std::int32_t& height) const;
+  std::int32_t nearest_ground(std::size_t column) const;
+  void find_steps();
+  void find_faces();
+  void find_face(int cx, int cy);
+  void measure_spread(std::size_t column);
+  void find_step(int cx, int cy, int dx, int dy);
+  bool stepped_between(int cx, int cy, int x, int y) const;
   void fit_column(int cx, int cy);
   void fill_outwards();
   std::int32_t mean(std::size_t column) const { return columns_[column].u_sum / columns_[column].count; }
+  /// Its ground as far as it can be trusted beside others; nothing for few points.
+  const Column* firm(int cx, int cy) const;
   bool inside(int cx, int cy) const { return cx >= 0 && cy >= 0 && cx < side_ && cy < side_; }
   std::size_t index(int cx, int cy) const { return static_cast<std::size_t>(cy) * side_ + cx; }
 

@@ -52,8 +52,7 @@ JudgedMap judge(const WorldSweeps& taken) {
   std::vector<tools::TrueSweep> truths;
   for (const SimulatedSweep& sweep : taken.sweeps) {
     const Pose X_map_base = judged.X_map_world * sweep.X_world_base;
-    const MapPoints points =
-        points_in_map(sweep.sweep, X_map_base, robot.laser.min_range_m, robot.laser.max_range_m);
+    const MapPoints points = points_in_map(sweep.sweep, X_map_base, robot.laser.min_range_m, robot.laser.max_range_m);
     evidence.put(judged.map, number++, look(points, sweep.sweep, X_map_base, robot, 1).evidence);
     truths.push_back({&sweep.sweep, sweep.X_world_base});
   }

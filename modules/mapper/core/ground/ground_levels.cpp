@@ -1,0 +1,169 @@
+#include "modules/mapper/core/ground/ground_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "modules/mapper/core/ground/column_offsets.h"
+
+/// Ground beside the ground: levels that cannot be reached, and the steps between them.
+namespace scanway {
+namespace {
+
+constexpr int kFirmPoints = 4;          // a column's mean of fewer is as uneven as the ground itself
+constexpr int kRingsApart = 10;         // columns
+constexpr int kFaceRange = 1000;        // units about a column's mean: what is further off is no part of the ground
+constexpr std::int32_t kFaceRatio = 3;  // a face spreads over so many times as much as the ground around it
+constexpr int kAround = 6;              // columns: what a face is told from
+constexpr int kSearch = 30;             // columns: how far the nearest ground is looked for
+constexpr double kMostWithin = 4;       // times as many points on a level as off it make a column flat
+constexpr double kLevelUnit = 1e-4;     // metres: of heights
+
+}  // namespace
+
+bool GroundSurface::flat(std::size_t column, std::int32_t& height) const {
+  const std::size_t begin = first_[column], end = first_[column + 1];
+  if (end - begin < static_cast<std::size_t>(kFirmPoints)) return false;
+  std::vector<std::int32_t> heights;
+  for (std::size_t i = begin; i < end; ++i) heights.push_back(points_[i].u);
+  std::nth_element(heights.begin(), heights.begin() + heights.size() / 2, heights.end());
+  height = heights[heights.size() / 2];
+  const auto within =
+      std::count_if(heights.begin(), heights.end(), [&](std::int32_t u) { return std::abs(u - height) <= band_; });
+  return static_cast<double>(within) >= kMostWithin * static_cast<double>(heights.size() - within);
+}
+
+std::int32_t GroundSurface::nearest_ground(std::size_t column) const {
+  const int cx = static_cast<int>(column % side_), cy = static_cast<int>(column / side_);
+  for (int ring = 1; ring <= kSearch; ++ring) {
+    for (int y = -ring; y <= ring; ++y) {
+      const int step = std::abs(y) == ring ? 1 : 2 * ring;
+      for (int x = -ring; x <= ring; x += step) {
+        if (inside(cx + x, cy + y) && columns_[index(cx + x, cy + y)].joined) return mean(index(cx + x, cy + y));
+      }
+    }
+  }
+  return 0;
+}
+
+bool GroundSurface::try_level(std::size_t seed, std::vector<bool>& tried) {
+  std::int32_t height = 0;
+  if (!flat(seed, height)) return false;
+  if ((height - nearest_ground(seed)) * kLevelUnit > config_.highest_level_m || !join(seed, height)) return false;
+  // Far from the sensor a level shows in rings, so far apart.
+  static const std::vector<Eigen::Vector2i> kRings = offsets_within(kRingsApart);
+  const std::vector<std::size_t> level = grow({seed}, kRings);
+  if (static_cast<double>(level.size()) * kColumn * kColumn >= config_.least_level_m2) return true;
+  for (const std::size_t column : level) columns_[column] = Column{}, tried[column] = true;
+  return false;
+}
+
+void GroundSurface::join_levels() {
+  if (!std::isfinite(config_.least_level_m2)) return;
+  std::vector<bool> tried(columns_.size());
+  for (std::size_t column = 0; column < columns_.size(); ++column) {
+    if (columns_[column].joined || tried[column] || first_[column] == first_[column + 1]) continue;
+    tried[column] = true;
+    try_level(column, tried);
+  }
+}
+
+const GroundSurface::Column* GroundSurface::firm(int cx, int cy) const {
+  if (!inside(cx, cy)) return nullptr;
+  const Column& column = columns_[index(cx, cy)];
+  return column.joined && column.count >= kFirmPoints ? &column : nullptr;
+}
+
+void GroundSurface::find_step(int cx, int cy, int dx, int dy) {
+  const Column *before = firm(cx - dx, cy - dy), *after = firm(cx + dx, cy + dy);
+  if (before == nullptr || after == nullptr) return;
+  const std::int32_t low = mean(index(cx - dx, cy - dy)), high = mean(index(cx + dx, cy + dy));
+  std::int32_t jump = high - low;
+  if (std::abs(jump) <= band_) return;
+  for (const int side : {-1, 1}) {
+    for (const int far : {3, 2}) {
+      if (firm(cx + side * far * dx, cy + side * far * dy) == nullptr) continue;
+      const std::int32_t beyond = mean(index(cx + side * far * dx, cy + side * far * dy));
+      jump -= side * (beyond - (side < 0 ? low : high)) / (far - 1);
+      break;
+    }
+  }
+  if (std::abs(jump) <= band_) return;
+  Column& column = columns_[index(cx, cy)];
+  const std::int32_t lower = std::min(low, high);
+  column.lower = column.step ? std::min(column.lower, lower) : lower;
+  column.step = true;
+}
+
+void GroundSurface::find_steps() {
+  for (int cy = 0; cy < side_; ++cy) {
+    for (int cx = 0; cx < side_; ++cx) {
+      for (const auto& [dx, dy] : {std::pair(1, 0), std::pair(0, 1), std::pair(1, 1), std::pair(1, -1)}) {
+        find_step(cx, cy, dx, dy);
+      }
+    }
+  }
+}
+
+void GroundSurface::measure_spread(std::size_t which) {
+  Column& column = columns_[which];
+  const std::int32_t middle = mean(which);
+  std::int64_t count = 0, sum = 0, squares = 0;
+  column.lowest = middle;
+  for (std::size_t i = first_[which]; i < first_[which + 1]; ++i) {
+    const std::int64_t off = points_[i].u - middle;
+    if (std::abs(off) > kFaceRange) continue;
+    ++count, sum += off, squares += off * off;
+    column.lowest = std::min(column.lowest, points_[i].u);
+  }
+  const double n = static_cast<double>(std::max<std::int64_t>(count, 1));
+  const double average = static_cast<double>(sum) / n;
+  column.spread =
+      static_cast<std::int32_t>(std::sqrt(std::max(0.0, static_cast<double>(squares) / n - average * average)));
+}
+
+void GroundSurface::find_face(int cx, int cy) {
+  Column& column = columns_[index(cx, cy)];
+  // Evenly spread over a height h, the deviation is h / sqrt(12).
+  if (column.step || column.count < kFirmPoints || column.spread * 12 < band_ * 4) return;
+  std::vector<std::int32_t> around;
+  std::int32_t lowest = column.lowest;
+  for (int y = -kAround; y <= kAround; ++y) {
+    for (int x = -kAround; x <= kAround; ++x) {
+      const Column* other = firm(cx + x, cy + y);
+      if (other == nullptr) continue;
+      around.push_back(other->spread);
+      if (std::abs(x) <= 1 && std::abs(y) <= 1) lowest = std::min(lowest, other->lowest);
+    }
+  }
+  // The face goes on to both sides, so that many of the columns around show it, too.
+  const auto even = around.begin() + static_cast<std::ptrdiff_t>(around.size() / 5);
+  std::nth_element(around.begin(), even, around.end());
+  if (column.spread < kFaceRatio * *even) return;
+  column.step = true;
+  column.lower = lowest;
+}
+
+void GroundSurface::find_faces() {
+  for (std::size_t column = 0; column < columns_.size(); ++column) {
+    if (columns_[column].joined) measure_spread(column);
+  }
+  for (int cy = 0; cy < side_; ++cy) {
+    for (int cx = 0; cx < side_; ++cx) {
+      if (columns_[index(cx, cy)].joined) find_face(cx, cy);
+    }
+  }
+}
+
+bool GroundSurface::stepped_between(int cx, int cy, int x, int y) const {
+  const int steps = std::max(std::abs(x - cx), std::abs(y - cy));
+  for (int i = 1; i < steps; ++i) {
+    const auto between = [&](int from, int to) {
+      return from + static_cast<int>(std::lround(double(to - from) * i / steps));
+    };
+    if (columns_[index(between(cx, x), between(cy, y))].step) return true;
+  }
+  return false;
+}
+
+}  // namespace scanway
