@@ -47,6 +47,10 @@ void append_numbers(XbusBytes& data, std::uint16_t id, std::span<const double> n
   const int format = id & 3;
   append_big_endian(data, id, 2);
   append_big_endian(data, static_cast<std::size_t>(kSizes[format]) * numbers.size(), 1);
+  append_bare_numbers(data, format, numbers);
+}
+
+void append_bare_numbers(XbusBytes& data, int format, std::span<const double> numbers) {
   for (const double number : numbers) append_number(data, format, number);
 }
 

@@ -17,6 +17,8 @@ XbusBytes xbus_message(std::uint8_t number, std::span<const std::uint8_t> data =
 /// One item of an MTData2 message; numbers in the format of the identifier's two lowest bits: float32, fp12.20,
 /// fp16.32, float64.
 void append_numbers(XbusBytes& data, std::uint16_t id, std::span<const double> numbers);
+/// The numbers alone, as MTData has them; `format`: 0 to 3, in the same order.
+void append_bare_numbers(XbusBytes& data, int format, std::span<const double> numbers);
 /// One item that is an integer of `size` bytes.
 void append_integer(XbusBytes& data, std::uint16_t id, std::uint32_t value, int size);
 
