@@ -75,12 +75,13 @@ ObjectReceiver::Wanted* ObjectReceiver::want(const Name& name, std::int64_t vers
 void ObjectReceiver::ask(SteadyTime now) {
   std::map<std::string, std::vector<IncompleteObject>, std::less<>> incomplete;
   std::size_t requests = 0;
-  for (auto entry = wanted_.begin(); entry != wanted_.end() && requests < limits_.requests_a_turn;) {
+  for (const auto entry : in_order()) {
+    if (requests >= limits_.requests_a_turn) return;
     auto& [name, wanted] = *entry;
     if (now - wanted.heard > limits_.give_up_after) {
       ++counters_.given_up;
       assemblers_.at(name.first).give_up(name.second, wanted.version, static_cast<std::uint64_t>(wanted.digest));
-      entry = wanted_.erase(entry);
+      wanted_.erase(entry);
       continue;
     }
     if (now >= wanted.due) {
@@ -93,8 +94,16 @@ void ObjectReceiver::ask(SteadyTime now) {
       request(name, wanted, known == waiting.end() ? nullptr : &*known, now);
       ++requests;
     }
-    ++entry;
   }
+}
+
+std::vector<std::map<ObjectReceiver::Name, ObjectReceiver::Wanted>::iterator> ObjectReceiver::in_order() {
+  std::vector<std::map<Name, Wanted>::iterator> order;
+  order.reserve(wanted_.size());
+  for (auto entry = wanted_.begin(); entry != wanted_.end(); ++entry) order.push_back(entry);
+  std::stable_partition(order.begin(), order.end(),
+                        [this](const auto& entry) { return limits_.first.contains(entry->first.first); });
+  return order;
 }
 
 void ObjectReceiver::request(const Name& name, Wanted& wanted, const IncompleteObject* known, SteadyTime now) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "common/clock/steady_time.h"
 #include "common/messages/object_assembler.h"
@@ -17,13 +18,14 @@
 namespace scanway {
 
 struct ReceiverLimits {
-  AssemblerLimits assembler;                ///< Of each channel.
-  SteadyTime quiet = 150'000;               ///< An object is asked for when none of its pieces came for so long.
-  SteadyTime first_interval = 250'000;      ///< Between two requests for an object; doubles while nothing comes,
-  SteadyTime longest_interval = 2'000'000;  ///< up to this.
-  SteadyTime give_up_after = 60'000'000;    ///< Since anything was heard of the object: a piece or an announcement.
-  std::size_t max_wanted = 65536;           ///< Objects; more are not taken note of until some are complete.
-  std::size_t requests_a_turn = 50;         ///< Of one ask().
+  AssemblerLimits assembler;                 ///< Of each channel.
+  SteadyTime quiet = 150'000;                ///< An object is asked for when none of its pieces came for so long.
+  SteadyTime first_interval = 250'000;       ///< Between two requests for an object; doubles while nothing comes,
+  SteadyTime longest_interval = 2'000'000;   ///< up to this.
+  SteadyTime give_up_after = 60'000'000;     ///< Since anything was heard of the object: a piece or an announcement.
+  std::size_t max_wanted = 65536;            ///< Objects; more are not taken note of until some are complete.
+  std::size_t requests_a_turn = 50;          ///< Of one ask().
+  std::set<std::string, std::less<>> first;  ///< Channels whose objects are asked for before all others.
 };
 
 struct ReceiverCounters {
@@ -64,6 +66,7 @@ class ObjectReceiver {
     bool asked = false;
   };
 
+  std::vector<std::map<Name, Wanted>::iterator> in_order();
   Wanted* want(const Name& name, std::int64_t version, std::int64_t digest, std::int32_t npieces, SteadyTime now);
   void request(const Name& name, Wanted& wanted, const IncompleteObject* known, SteadyTime now);
 

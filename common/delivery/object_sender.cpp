@@ -1,6 +1,7 @@
 #include "common/delivery/object_sender.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "common/messages/codec.h"
 #include "common/messages/objects.h"
@@ -69,7 +70,8 @@ void ObjectSender::answer(const piece_request_t& request) {
       const auto piece = static_cast<std::size_t>(i);
       if (held.queued[piece]) continue;  // Somebody else asked, or it has not gone yet.
       held.queued[piece] = true;
-      asked_.emplace_back(found->second, piece);
+      limits_.first.contains(held.channel) ? asked_.emplace_front(found->second, piece)
+                                           : asked_.emplace_back(found->second, piece);
     }
   }
 }
@@ -115,9 +117,10 @@ std::vector<object_index_t> ObjectSender::next_indices(SteadyTime now) {
     if (std::find(held->queued.begin(), held->queued.end(), true) == held->queued.end()) all.push_back(held.get());
   }
   const auto fresh = [now](const Held* held) { return held->since == 0 || now - held->since < kFreshFor; };
-  std::stable_sort(all.begin(), all.end(), [&](const Held* a, const Held* b) {
-    return std::pair(!fresh(a), a->announced_at) < std::pair(!fresh(b), b->announced_at);
-  });
+  const auto turn = [&](const Held* held) {
+    return std::tuple(!limits_.first.contains(held->channel), !fresh(held), held->announced_at);
+  };
+  std::stable_sort(all.begin(), all.end(), [&](const Held* a, const Held* b) { return turn(a) < turn(b); });
   std::map<std::string, object_index_t> open;  // By channel, not full yet.
   std::vector<object_index_t> full;
   const auto size = [](const object_index_t& index) {

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -25,6 +26,7 @@ struct SenderLimits {
   double burst_bytes = 16e3;
   std::size_t max_held_bytes = std::size_t{1} << 30;  ///< Of all objects that are kept for latecomers.
   std::size_t indices_a_turn = 20;                    ///< Messages of one announce().
+  std::set<std::string, std::less<>> first;           ///< Channels whose objects go before all others.
   bool drop_superseded = false;                       ///< What waits of a version is not sent once there is a newer.
 };
 

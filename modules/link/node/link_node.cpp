@@ -101,7 +101,6 @@ void LinkNode::take_octomap(const octomap_t& octomap, const Object& object) {
 }
 
 void LinkNode::take_request(const map_request_t& request) {
-  ++news_;
   Asked& asked = asked_[request.requester_name];
   asked = {{request.cloud_voxel_m, request.octomap_voxel_m}, now_};
   wake_levels();

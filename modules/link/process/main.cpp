@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "common/bus/channels.h"
 #include "common/process/process_bus.h"
 #include "common/process/program.h"
 #include "modules/link/node/link_node.h"
@@ -26,6 +27,7 @@ LiveBusOptions far_options(const LinkOptions& options) {
   far.sender.burst_bytes = 4e3;
   far.sender.indices_a_turn = 8;
   far.sender.drop_superseded = true;
+  far.sender.first = {std::string(channel::kCostMapIndex.name), std::string(channel::kMapLevel.name)};
   return far;
 }
 

@@ -11,6 +11,7 @@
 #include "common/files/input_error.h"
 #include "common/files/printable.h"
 #include "common/files/product_folder.h"
+#include "modules/replay/map_folder.h"
 #include "modules/replay/products.h"
 #include "modules/replay/replay.h"
 #include "modules/replay/verify/verify.h"
@@ -21,19 +22,29 @@ namespace {
 
 constexpr int kLogWasDamaged = 1;
 
-std::optional<SweepStore> map_of(const std::string& folder) {
-  return folder.empty() ? std::nullopt : std::optional(saved_map(folder));
+void require_new(const std::string& folder) {
+  const SweepStore store(folder);
+  if (!store.logs().empty() || store.earlier()) {
+    throw InputError(printable(folder) + ": keeps a map already; name a new folder with --keep");
+  }
 }
 
-/// Where the map's sweeps are kept, with those of the map that it continues.
-std::optional<SweepStore> new_store(const ReplayOptions& options) {
-  if (options.kept.empty()) return std::nullopt;
-  SweepStore store(options.kept);
-  if (!store.logs().empty() || store.earlier()) {
-    throw InputError(printable(options.kept) + ": keeps a map already; name a new folder with --keep");
+/// The robot of --robot, else that of the map that the log goes on with, else the log's.
+std::optional<Robot> robot_for(const ReplayOptions& options, const LogStory& story) {
+  if (!options.robot.empty()) return load_robot(options.robot);
+  const auto of_map = options.continued.empty() ? std::nullopt : robot_of_map(options.continued);
+  return of_map ? of_map : story.robot;
+}
+
+/// The map that the log continues is part of the new one.
+void take_earlier_map(const ReplayOptions& options, const MapSave& save, Replay& replay) {
+  if (!options.resumed.empty()) {
+    save.sweeps().continue_from(options.resumed);
+    replay.resume(saved_map(options.resumed));
   }
-  if (!options.resumed.empty()) store.continue_from(options.resumed);
-  return store;
+  if (options.continued.empty()) return replay.keep_in(save.sweeps());
+  save.sweeps().take_over(saved_map(options.continued));
+  replay.go_on_with(save.sweeps());
 }
 
 }  // namespace
@@ -41,16 +52,14 @@ std::optional<SweepStore> new_store(const ReplayOptions& options) {
 int run_replay(const ReplayOptions& options) {
   LogReader log(options.log);
   LogStory story = story_of_log(options.log);
-  const std::optional<Robot> robot = options.robot.empty() ? story.robot : load_robot(options.robot);
+  const std::optional<Robot> robot = robot_for(options, story);
   const ProductFolder folder(options.output);
-
-  const std::optional<SweepStore> continued = map_of(options.resumed);
-  const std::optional<SweepStore> kept = new_store(options);
+  if (!options.kept.empty()) require_new(options.kept);
+  MapSave save(options.output);
 
   LogWriter recording(folder.path_of("out.lcmlog"));
   Replay replay(robot.value_or(Robot{}), recording, std::move(story));
-  if (continued) replay.resume(*continued);
-  if (kept) replay.keep_in(*kept);
+  take_earlier_map(options, save, replay);
   {
     ProgressBar bar("replaying " + printable(options.log));
     replay.run(log, [&bar](double share) { bar.show(share); });
@@ -60,7 +69,9 @@ int run_replay(const ReplayOptions& options) {
   ReplayReport report = replay.report();
   report.log = options.log;
   report.trouble = log.trouble();
-  report.digests = write_products(replay.mapper(), replay.planner(), folder);
+  report.digests = write_products(replay.mapper(), replay.planner(), save.files());
+  if (!options.kept.empty()) SweepStore(options.kept).take_over(save.sweeps());
+  save.commit(robot.value_or(Robot{}));
   folder.write("report.json", report_json(report));
   std::fputs(report_table(report).c_str(), stdout);
   if (!report.trouble.empty()) {

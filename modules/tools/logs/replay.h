@@ -6,11 +6,12 @@ namespace scanway::tools {
 
 struct ReplayOptions {
   std::string log;
-  std::string output;   ///< Not with `verify`.
-  std::string played;   ///< With `verify`: the log that was played to the processes; empty: none.
-  std::string resumed;  ///< Folder of the map that the log goes on with; empty: none.
-  std::string kept;     ///< Folder to keep the map's sweeps in; empty: they are not kept.
-  std::string robot;    ///< Robot file in place of the log's own configuration; empty: the log's.
+  std::string output;     ///< Not with `verify`.
+  std::string played;     ///< With `verify`: the log that was played to the processes; empty: none.
+  std::string continued;  ///< Folder of the map that the log goes on with in the same session; empty: none.
+  std::string resumed;    ///< Folder of the map that the log goes on with; empty: none.
+  std::string kept;       ///< Folder to keep the map's sweeps in; empty: they are not kept.
+  std::string robot;      ///< Robot file in place of the log's own configuration; empty: the log's.
 };
 
 /// `scanway replay`: the nodes in one process over a log, and every product in one folder. Returns 1 when the log was

@@ -28,6 +28,7 @@ LiveBusOptions patient() {
   options.receiver.quiet = kSteadySecond;
   options.receiver.first_interval = kSteadySecond;
   options.receiver.longest_interval = 4 * kSteadySecond;
+  options.receiver.first = {std::string(channel::kCostMapIndex.name), std::string(channel::kMapLevel.name)};
   return options;
 }
 
