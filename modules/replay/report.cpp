@@ -82,7 +82,7 @@ const std::vector<Column>& columns() {
       {"features", {"prepare", "voxels", "surfaces", "neighbours", "normals", "fpfh"}},
       {"coarse", {"matching", "hypotheses", "checks"}},
       {"icp", {"icp", "verdict"}},
-      {"graph", {"overlap", "graph"}},
+      {"graph", {"overlap", "movement", "graph"}},
       {"merge", {"merge", "remake"}},
       {"octomap", {"octomap"}},
       {"ground", {"ground"}},

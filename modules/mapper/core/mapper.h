@@ -66,7 +66,7 @@ class Mapper {
 
   /// The whole method: prepare, register against the sweeps that overlap it, settle the poses of all, and merge into
   /// every product; where earlier sweeps moved by more than is tolerated, the products follow.
-  /// Stages: those of the registration, overlap, graph, merge, octomap, ground, cost_map, embodiment; where
+  /// Stages: those of the registration, overlap, movement, graph, merge, octomap, ground, cost_map, embodiment; where
   /// products follow poses: remake.
   SweepResult add(const Sweep& sweep, StageListener* stages = nullptr);
 
