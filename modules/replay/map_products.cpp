@@ -18,6 +18,7 @@ namespace {
 std::string trajectory_tum(const std::vector<TrajectoryPoint>& trajectory) {
   std::string text = "# timestamp_s tx ty tz qx qy qz qw (pose of the sweep in the map)\n";
   for (const TrajectoryPoint& point : trajectory) {
+    if (point.withdrawn) continue;
     const Eigen::Vector3d t = point.X_map_sweep.translation();
     const Eigen::Quaterniond q(point.X_map_sweep.linear());
     text += fmt::format("{}.{:06} {} {} {} {} {} {} {}\n", point.utime / kMicrosecondsPerSecond,

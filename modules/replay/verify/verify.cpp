@@ -41,9 +41,12 @@ class Rerun {
   Rerun(const Robot& robot, const RecordedLog& log, std::vector<Start>& poses)
       : mapper_(bus_, robot),
         assembler_(
-            bus_, robot, [this](SweepOrigin origin) { mapper_.expect(std::move(origin)); }, false) {
-    mapper_.use(answers_of(log));
+            bus_, robot, [this](SweepOrigin origin) { mapper_.expect(std::move(origin)); }, false),
+        answers_(answers_of(log)) {
     derived_.listen(bus_);
+    bus_.subscribe(channel::kSweepInputs.name, [this](const BusMessage& message) {
+      last_sweep_ = decode<sweep_inputs_t>(message.bytes).sweep_digest;
+    });
     bus_.subscribe(channel::kPose.name, [&poses](const BusMessage& message) {
       const auto pose = decode<bot_core::pose_t>(message.bytes);
       poses.push_back({pose.utime, pose_of(pose)});
@@ -66,6 +69,17 @@ class Rerun {
     mapper_.finish();
     bus_.dispatch();
   }
+  /// Carries out the next command that followed this sweep. False: none did.
+  bool carry_out_next() {
+    const auto next = std::ranges::find_if(answers_, [this](const map_answer_t& answer) {
+      return answer.done != 0 && answer.after_sweep_digest == last_sweep_;
+    });
+    if (next == answers_.end()) return false;
+    bus_.publish(channel::kMapCommand.name, encode(next->answered), next->answered.utime);
+    answers_.erase(next);
+    bus_.dispatch();
+    return true;
+  }
   const DerivedProducts& derived() const { return derived_; }
   const CostMap& cost_map() const { return mapper_.mapper().map().cost_map(); }
   /// Without its tiles.
@@ -84,6 +98,8 @@ class Rerun {
   MapperNode mapper_;
   SweepAssembler assembler_;
   DerivedProducts derived_;
+  std::vector<map_answer_t> answers_;  // Of commands that are still to be carried out.
+  std::int64_t last_sweep_ = 0;        // Digest of the one that was worked on last.
 };
 
 /// The whole work, a step a function.
@@ -167,24 +183,24 @@ class Verifier {
     const std::int64_t before = rerun_->version().version;
     rerun_->add(sweep);
     ++result_.computed;
+    std::string in_paths;
+    if (rerun_->version().version > before) in_paths = difference_of_paths();
+    while (rerun_->carry_out_next() && in_paths.empty()) in_paths = difference_of_paths();
     compare_products(sweep.utime);
-    const ClosedVersion version = rerun_->version();
-    if (version.version > before) compare_paths(version);
+    if (result_.difference.empty()) result_.difference = in_paths;
   }
+
+  std::string difference_of_paths() { return paths_.compare(planner_robot_, rerun_->cost_map(), rerun_->version()); }
 
   void compare(const ClosedVersion& version) {
     compare_products(version.utime);
-    compare_paths(version);
+    if (result_.difference.empty()) result_.difference = difference_of_paths();
   }
 
   void compare_products(Utime utime) {
     result_.difference = rerun_->derived().difference(log_, utime);
     if (!result_.difference.empty()) return;
     for (const RecordedName& product : log_.products_at(utime)) note_equal(product);
-  }
-
-  void compare_paths(const ClosedVersion& version) {
-    if (result_.difference.empty()) result_.difference = paths_.compare(planner_robot_, rerun_->cost_map(), version);
   }
 
   void note_equal(const RecordedName& product) {
