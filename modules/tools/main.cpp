@@ -50,6 +50,8 @@ int run(int argc, char** argv) {
   add_command(app, action);
   add_drive(app, action);
   add_decode(app, action);
+  add_map(app, action);
+  add_export(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

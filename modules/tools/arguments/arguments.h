@@ -23,6 +23,9 @@ void add_simulate(CLI::App& app, Action& action);
 void add_command(CLI::App& app, Action& action);
 void add_drive(CLI::App& app, Action& action);
 void add_decode(CLI::App& app, Action& action);
+/// After add_import: `scanway import map` is one of these too.
+void add_map(CLI::App& app, Action& action);
+void add_export(CLI::App& app, Action& action);
 
 /// "X,Y" as a flag's value.
 CLI::Option* add_point(CLI::App* app, const std::string& flag, std::pair<double, double>& point,
