@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <compare>
-#include <iterator>
 #include <stdexcept>
 #include <utility>
 
 #include <embree3/rtcore.h>
 #include <tbb/task_arena.h>
-#include <Eigen/Geometry>
 
 namespace scanway::simulator {
 namespace {
@@ -78,24 +76,6 @@ void set_up(RTCRayHit4& rays, const Vector3d& origin, const RayCaster::Four& dir
   }
 }
 
-/// Whether the ray comes within a millimetre of the box. No ray that is none does.
-bool may_meet(const Eigen::AlignedBox3d& box, const Vector3d& origin, const Vector3d& direction) {
-  constexpr double kSlack_m = 1e-3;
-  double enters = 0.0, leaves = 1e9;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double low = box.min()[axis] - kSlack_m - origin[axis], high = box.max()[axis] + kSlack_m - origin[axis];
-    if (direction[axis] == 0.0) {
-      if (!(low <= 0.0 && high >= 0.0)) return false;
-      continue;
-    }
-    const auto [from, to] = std::minmax({low / direction[axis], high / direction[axis]});
-    enters = std::max(enters, from);
-    leaves = std::min(leaves, to);
-    if (!(from <= to && enters <= leaves)) return false;
-  }
-  return true;
-}
-
 }  // namespace
 
 bool Hit::same_plane(const Hit& other) const {
@@ -107,7 +87,6 @@ bool Hit::same_plane(const Hit& other) const {
 struct RayCaster::Scene : SceneParts {
   std::unique_ptr<RTCDeviceTy, DeviceRelease> device{rtcNewDevice(kDeviceSettings)};
   std::unique_ptr<RTCSceneTy, SceneRelease> scene;
-  Eigen::AlignedBox3d bounds;
 
   Scene() {
     if (!device) throw std::runtime_error("the ray caster cannot start: Embree gives no device");
@@ -127,7 +106,6 @@ struct RayCaster::Scene : SceneParts {
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(scene.get(), geometry);
     rtcReleaseGeometry(geometry);
-    for (const Eigen::Vector3f& vertex : mesh.vertices()) bounds.extend(vertex.cast<double>());
     std::vector<Facet>& of_mesh = facets.emplace_back();
     of_mesh.reserve(mesh.size());
     for (std::size_t i = 0; i < mesh.size(); ++i) of_mesh.push_back(facet_of(mesh.corners(i), mesh.surface(i)));
@@ -219,11 +197,10 @@ RayCaster::RayCaster(RayCaster&&) noexcept = default;
 RayCaster& RayCaster::operator=(RayCaster&&) noexcept = default;
 
 RayCaster::FourHits RayCaster::cast(const Vector3d& origin, const Four& directions, double max_range_m) const {
-  alignas(16) int valid[4];
-  for (std::size_t i = 0; i < 4; ++i) valid[i] = may_meet(scene_->bounds, origin, directions[i]) ? -1 : 0;
-  if (std::none_of(std::begin(valid), std::end(valid), [](int one) { return one != 0; })) return {};
   alignas(16) RTCRayHit4 rays;
   set_up(rays, origin, directions, max_range_m);
+  alignas(16) int valid[4];  // Embree ends the process for a ray that is none.
+  for (std::size_t i = 0; i < 4; ++i) valid[i] = origin.allFinite() && directions[i].allFinite() ? -1 : 0;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
