@@ -14,6 +14,10 @@ constexpr double kHeadingStep = 2.0 * repeatable::kPi / kHeadings;
 constexpr double kSameHeading = 1e-9;
 /// A share of a line that only rounding gives to a cell.
 constexpr double kTouch = 1e-12;
+constexpr double kAligned = 1e-9;
+constexpr double kBesideHeading = 1.25;
+/// A turn within a sector is looked at in parts of this.
+constexpr double kTurnPart = kHeadingStep / 8;
 
 /// Whether the sectors from `from` counter-clockwise on are clear.
 bool is_clear(double from, double turn, std::uint16_t clear) {
@@ -43,6 +47,12 @@ std::optional<double> turn_between(double from, double to, const TurnRoom& room)
   return std::nullopt;
 }
 
+bool is_aligned(const Leg& leg) {
+  const Eigen::Vector2d way = (leg.end() - leg.start()).normalized();
+  const double beside = way.x() * repeatable::sin(leg.heading) - way.y() * repeatable::cos(leg.heading);
+  return std::fabs(beside) < kAligned;
+}
+
 double turn_cost(double turn, const TurnRoom& room) { return std::fabs(turn) / kHeadingStep * room.price; }
 
 double Ground::weight(Cell cell) const {
@@ -59,6 +69,7 @@ Leg Ground::leg(Cell from, Cell to, double heading) const {
   const Eigen::Vector2d way = leg.end() - leg.start();
   leg.backwards = way.x() * repeatable::cos(heading) + way.y() * repeatable::sin(heading) < 0.0;
   leg.cost = (leg.backwards ? 2.0 : 1.0) * cost_of(leg.start(), leg.end());
+  if (!is_aligned(leg)) leg.cost *= kBesideHeading;
   return leg;
 }
 
@@ -123,6 +134,18 @@ TurnRoom Ground::turn_room(Cell cell) const {
     if (terrain_->can_turn(index, heading)) room.clear |= static_cast<std::uint16_t>(1u << heading);
   }
   return room;
+}
+
+std::optional<double> Ground::turn(Cell at, double from, double to, const TurnRoom& room) const {
+  if (const auto turn = turn_between(from, to, room)) return turn;
+  const double turn = wrapped(to - from);
+  if (std::fabs(turn) >= kHeadingStep) return std::nullopt;
+  const int parts = static_cast<int>(std::ceil(std::fabs(turn) / kTurnPart));
+  const Eigen::Vector2d middle(at.x, at.y);
+  for (int i = 0; i < parts; ++i) {
+    if (!is_clear(middle, from + turn * i / parts, middle, from + turn * (i + 1) / parts, 0.0)) return std::nullopt;
+  }
+  return turn;
 }
 
 }  // namespace scanway::planning

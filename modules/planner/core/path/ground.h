@@ -15,7 +15,7 @@ struct Leg {
   Cell to;
   double heading = 0.0;  ///< Radians.
   bool backwards = false;
-  double cost = 0.0;  ///< In straight steps between cells of weight one.
+  double cost = 0.0;  ///< In straight steps between cells of weight one; more beside its heading (Ground::leg).
 
   Eigen::Vector2d start() const { return {from.x, from.y}; }
   Eigen::Vector2d end() const { return {to.x, to.y}; }
@@ -30,7 +30,9 @@ struct TurnRoom {
 /// The turn from one heading to another, radians, positive counter-clockwise: the shorter way round if it is clear,
 /// else the longer one; nothing when neither is.
 std::optional<double> turn_between(double from, double to, const TurnRoom& room);
-/// What it costs.
+/// Whether the body drives the way that it faces, or backwards; a route's steps may be up to 22.5 degrees beside it.
+bool is_aligned(const Leg& leg);
+/// What a turn costs.
 double turn_cost(double turn, const TurnRoom& room);
 
 /// An angle in (-pi, pi].
@@ -45,7 +47,8 @@ class Ground {
   const Body& body() const { return terrain_->body(); }
   const Terrain& terrain() const { return *terrain_; }
 
-  /// A leg at this heading, with its cost; whether the body passes is not asked.
+  /// A leg at this heading, with its cost; whether the body passes is not asked. No wheel drives beside its heading, so
+  /// such a leg costs a quarter more here than in the search.
   Leg leg(Cell from, Cell to, double heading) const;
   /// The weighted length of a segment: what the search charges for it where it is a way of the search's.
   double cost_of(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const;
@@ -60,6 +63,8 @@ class Ground {
   bool is_clear(const Eigen::Vector2d& a, double heading_a, const Eigen::Vector2d& b, double heading_b,
                 double radius) const;
   TurnRoom turn_room(Cell cell) const;
+  /// turn_between(), and turns of less than 22.5 degrees that are clear though all of their sector is not.
+  std::optional<double> turn(Cell at, double from, double to, const TurnRoom& room) const;
 
  private:
   bool is_free(Cell cell) const;

@@ -23,13 +23,6 @@ constexpr double kRounding = 1e-9;
 
 Eigen::Vector2d direction_of(const Leg& leg) { return (leg.end() - leg.start()).normalized(); }
 
-/// Whether the body drives the way that it faces; a route's steps may be up to 22.5 degrees beside it.
-bool is_aligned(const Leg& leg) {
-  const Eigen::Vector2d way = direction_of(leg);
-  const double beside = way.x() * repeatable::sin(leg.heading) - way.y() * repeatable::cos(leg.heading);
-  return std::fabs(beside) < kStraight;
-}
-
 /// A corner between two legs, to be rounded.
 class Corner {
  public:
@@ -96,7 +89,7 @@ std::vector<CellPose> rounded(const Leg& before, const Leg& behind, const Ground
   const Corner corner(before, behind);
   if (!corner.can_be_round()) return {};
   const TurnRoom room = ground.turn_room(before.to);
-  const double turning = turn_cost(*turn_between(before.heading, behind.heading, room), room);
+  const double turning = turn_cost(*ground.turn(before.to, before.heading, behind.heading, room), room);
   for (double radius = std::min(most_radius, corner.most_radius()); corner.cut_off(radius) >= kLeastRounding;
        radius *= 0.5) {
     std::vector<CellPose> arc = corner.arc(radius);
@@ -110,7 +103,7 @@ std::vector<CellPose> rounded(const Leg& before, const Leg& behind, const Ground
 void add_turn(const Leg& before, const Leg& behind, const Ground& ground, std::vector<CellPose>& poses) {
   poses.push_back({before.end(), before.heading});
   if (before.heading == behind.heading) return;
-  const double turn = *turn_between(before.heading, behind.heading, ground.turn_room(before.to));
+  const double turn = *ground.turn(before.to, before.heading, behind.heading, ground.turn_room(before.to));
   const int parts = static_cast<int>(std::ceil(std::fabs(turn) / kMostTurn));
   for (int i = 1; i < parts; ++i) poses.push_back({before.end(), wrapped(before.heading + turn * i / parts)});
   poses.push_back({before.end(), behind.heading});

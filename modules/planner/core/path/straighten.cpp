@@ -63,7 +63,8 @@ class Shortcuts {
     for (const Leg& leg : legs_) rooms_.push_back(ground.turn_room(leg.from));
     double cost = 0.0;
     for (std::size_t i = 0; i < legs_.size(); ++i) {
-      if (i > 0) cost += turn_cost(*turn_between(legs_[i - 1].heading, legs_[i].heading, rooms_[i]), rooms_[i]);
+      if (i > 0)
+        cost += turn_cost(*ground.turn(legs_[i].from, legs_[i - 1].heading, legs_[i].heading, rooms_[i]), rooms_[i]);
       cost_before_.push_back(cost);
       cost_after_.push_back(cost += legs_[i].cost);
     }
@@ -100,12 +101,17 @@ class Shortcuts {
   }
 
   void add(std::size_t from, std::size_t to) {
-    const std::optional<Leg> leg = from + 1 == to ? legs_[from] : shortcut(from, to);
-    if (!leg) return;
-    Way way{*leg, from, 0, from == 0 ? 0.0 : std::numeric_limits<double>::infinity()};
+    const bool is_single = from + 1 == to;
+    if (is_single) add(legs_[from], from, to);
+    if (is_single && is_aligned(legs_[from])) return;
+    if (const std::optional<Leg> leg = shortcut(from, to)) add(*leg, from, to);
+  }
+
+  void add(const Leg& leg, std::size_t from, std::size_t to) {
+    Way way{leg, from, 0, from == 0 ? 0.0 : std::numeric_limits<double>::infinity()};
     for (std::size_t i = 0; i < into_[from].size(); ++i) {
       const Way& before = into_[from][i];
-      const std::optional<double> turn = turn_between(before.leg.heading, leg->heading, rooms_[from]);
+      const std::optional<double> turn = ground_.turn(leg.from, before.leg.heading, leg.heading, rooms_[from]);
       if (!turn) continue;
       const double cost = before.cost + turn_cost(*turn, rooms_[from]) + kTurnPrice * std::fabs(*turn) * swing_;
       if (cost >= way.cost) continue;
@@ -113,7 +119,7 @@ class Shortcuts {
       way.before = i;
     }
     if (!std::isfinite(way.cost)) return;
-    way.cost += leg->cost + kLegPrice;
+    way.cost += leg.cost + kLegPrice;
     into_[to].push_back(way);
   }
 
@@ -147,7 +153,7 @@ double cost_of(const std::vector<Leg>& legs, const Ground& ground) {
     cost += legs[i].cost;
     if (i == 0) continue;
     const TurnRoom room = ground.turn_room(legs[i].from);
-    cost += turn_cost(*turn_between(legs[i - 1].heading, legs[i].heading, room), room);
+    cost += turn_cost(*ground.turn(legs[i].from, legs[i - 1].heading, legs[i].heading, room), room);
   }
   return cost;
 }
@@ -171,10 +177,11 @@ std::vector<Leg> legs_of(const Route& route, const Ground& ground) {
 std::vector<Leg> straightened(std::vector<Leg> legs, const Ground& ground) {
   legs = runs_of(legs);
   for (int round = 0; round < kMostRounds && !legs.empty(); ++round) {
-    std::vector<Leg> fewer = Shortcuts(legs, ground).best();
+    std::vector<Leg> better = Shortcuts(legs, ground).best();
     // Legs of their own cost less each; what turning between them costs may spoil it.
-    if (fewer.size() == legs.size() || cost_of(fewer, ground) > cost_of(legs, ground) + kRounding) break;
-    legs = std::move(fewer);
+    const double gain = cost_of(legs, ground) - cost_of(better, ground);
+    if (gain < -kRounding || (better.size() == legs.size() && gain <= kRounding)) break;
+    legs = std::move(better);
   }
   return legs;
 }

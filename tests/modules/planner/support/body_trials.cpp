@@ -64,6 +64,11 @@ void expect_good(const TestMap& map, const Robot& robot, const PolygonCheck& che
   EXPECT_GE(plan.clearance_m, 0.0);
 }
 
+void expect_ends(const PlanResult& plan, const Eigen::Vector2d& start, const Eigen::Vector2d& goal) {
+  EXPECT_LT(std::hypot(plan.path.front().x_m - start.x(), plan.path.front().y_m - start.y()), 1e-9);
+  EXPECT_LT(std::hypot(plan.path.back().x_m - goal.x(), plan.path.back().y_m - goal.y()), 1e-9);
+}
+
 }  // namespace
 
 const std::vector<TrialBody>& trial_bodies() {
@@ -103,6 +108,7 @@ Tally try_random_problems(const TestMap& map, const Robot& robot, int problems, 
     if (plan.status != PlanStatus::ok) continue;
     tally.seconds += plan.path.back().time_s;
     expect_good(map, robot, check, plan);
+    expect_ends(plan, start, goal);
   }
   return tally;
 }
