@@ -83,5 +83,14 @@ TEST(Beam, RandomNumbersOfNeighboursHaveNothingInCommon) {
   EXPECT_NEAR(products / static_cast<double>(seen.size()), 0.0, 0.025);
 }
 
+TEST(RayCaster, ARayThatIsNoneMeetsNothing) {
+  const RayCaster caster = caster_of(Room{}.world());
+  const Vector3d origin(0, 0, 1), ahead = Vector3d::UnitX(), none(NAN, 0, 0);
+  EXPECT_FALSE(caster.cast(origin, none, 80.0).has_value());
+  EXPECT_FALSE(caster.cast(none, ahead, 80.0).has_value());
+  const auto hits = caster.cast(origin, RayCaster::Four{ahead, none, ahead, ahead}, 80.0);
+  EXPECT_TRUE(hits[0] && !hits[1] && hits[2] && hits[3]) << "the others are as ever";
+}
+
 }  // namespace
 }  // namespace scanway::simulator::test
