@@ -28,7 +28,9 @@ void ObjectSender::add(std::string_view channel, const piece_t& piece, std::span
   held.queued.push_back(at_once);
   held.bytes += encoded.size();
   held_bytes_ += encoded.size();
-  if (at_once) fresh_.emplace_back(held_.at({held.channel, held.key}), held.pieces.size() - 1);
+  const Piece piece_held{held_.at({held.channel, held.key}), held.pieces.size() - 1};
+  if (at_once && limits_.first.contains(channel)) asked_.push_front(piece_held);
+  if (at_once && !limits_.first.contains(channel)) fresh_.push_back(piece_held);
   while (held_bytes_ > limits_.max_held_bytes && held_.size() > 1) drop_oldest();
 }
 

@@ -17,6 +17,8 @@ namespace scanway {
 namespace {
 
 constexpr SteadyTime kForgetAfter = 10 * kSteadySecond;
+/// While more comes; at once when nothing does.
+constexpr SteadyTime kCloseAtLeastEvery = 3 * kSteadySecond;
 /// Finer than the map is nothing; a cube of the cloud has 4 m.
 constexpr double kFinest = 0.01, kCoarsest = 4.0;
 
@@ -148,7 +150,9 @@ void LinkNode::every_second(SteadyTime now) {
   now_ = now;
   std::erase_if(asked_, [now](const auto& asked) { return now - asked.second.heard > kForgetAfter; });
   wake_levels();
-  if (news_ != std::exchange(news_before_, news_)) return;  // More may be on its way.
+  const bool more_comes = news_ != std::exchange(news_before_, news_);
+  if (more_comes && now - closed_ < kCloseAtLeastEvery) return;
+  closed_ = now;
   for (auto* levels : {&cloud_levels_, &octomap_levels_}) {
     for (auto& [voxel_m, level] : *levels) level.close();
   }

@@ -57,7 +57,7 @@ class LinkNode {
   Object octomap_;                       // The newest; without bytes: none came yet.
   std::map<std::string, Asked> asked_;   // By who did.
   Levels cloud_levels_, octomap_levels_;
-  SteadyTime now_ = 0;
+  SteadyTime now_ = 0, closed_ = 0;
   std::size_t news_ = 0, news_before_ = 0;
   std::int64_t bad_messages_ = 0;
 };
