@@ -14,7 +14,7 @@ import math
 
 PRIOR_PRECISION = 0.05  # of the coefficients' normal prior: separable classes must not give infinite certainty
 ACCEPTED = 0.85
-MIN_OVERLAP, OPEN_PROBABILITY = 0.22, 0.3  # as in verdict.cpp
+MIN_OVERLAP, MAX_CONFLICT, OPEN_PROBABILITY = 0.22, 0.06, 0.3  # as in verdict.cpp
 PLACE = ["1", "log conflict", "surface fit", "log held fit", "margin", "without tracker"]
 PRECISE = ["1", "log sigma", "log matches"]
 
@@ -95,8 +95,8 @@ def fit(data):
 
 
 def barred(r):
-    """The verdict's rules: an open direction or too little overlap is never accepted, whatever the probability."""
-    return r["open"] > 0 or min(r["overlap"], r["overlap_back"]) < MIN_OVERLAP
+    """The verdict's rules: what is never accepted, whatever the probability."""
+    return r["open"] > 0 or min(r["overlap"], r["overlap_back"]) < MIN_OVERLAP or r["conflict"] > MAX_CONFLICT
 
 
 def called(w, r):

@@ -39,6 +39,13 @@ std::vector<Candidate> look(std::vector<Candidate> candidates, const PreparedSca
   return rank_candidates(std::move(candidates));
 }
 
+/// The wide search asks more matches; the right pose is one of many that a few of them agree on.
+ConsensusOptions options_of(SearchWidth width) {
+  ConsensusOptions options;
+  if (width == SearchWidth::wide) options.max_matches = 3000, options.max_seeds = 3000, options.max_hypotheses = 64;
+  return options;
+}
+
 }  // namespace
 
 RotationBounds bounds_of(const OrientationPrior& prior) {
@@ -66,10 +73,8 @@ std::vector<Candidate> find_candidates(const PreparedScan::Data& source, const P
   const bool mutual = width == SearchWidth::mutual;
   const std::vector<Match> matches = match_keypoints(source.keypoints, target.keypoints, R, mutual);
   begin_stage(stages, "hypotheses");
-  ConsensusOptions options;
-  if (!mutual) options.max_matches = 3000, options.max_hypotheses = 32;
   const std::vector<Hypothesis> hypotheses =
-      find_hypotheses(source.keypoints, target.keypoints, matches, bounds, options);
+      find_hypotheses(source.keypoints, target.keypoints, matches, bounds, options_of(width));
   begin_stage(stages, "checks");
   std::vector<Candidate> all;
   for (const Hypothesis& h : hypotheses) all.push_back({h.T_target_source, {}});

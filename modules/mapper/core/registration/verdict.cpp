@@ -19,6 +19,8 @@ constexpr double kMinFacing = 8.0;        // surfaces that face a direction: wha
 constexpr double kOpenLever = 0.4;    // metres: at this lever surfaces that are 3 mm off turn the scan by 0.4 degrees
 constexpr double kMinOverlap = 0.22;  // below, too little of either scan bears the answer
 
+constexpr double kMaxConflict = 0.06;  // things that moved between two scans make up to half of it
+
 constexpr double kRightMetres = 0.1, kRightRadians = 0.5 * repeatable::kPi / 180.0;
 
 double logistic(double z) { return 1.0 / (1.0 + repeatable::exp(-z)); }
@@ -64,12 +66,12 @@ double rank_of(const Evidence& e) {
 
 // Both models fitted by tests/bench/registration/fit_verdict.py.
 double probability_right(const Evidence& e) {
-  const double place = -8.26 - 1.62 * repeatable::log(e.agreement.conflict + 0.003) + 1.86 * e.agreement.surface_fit -
-                       0.55 * repeatable::log(e.held_fit + 0.01) +
-                       1.34 * std::clamp(e.margin, -kMaxMargin, kMaxMargin) - 4.04 * (e.tracked ? 0.0 : 1.0);
+  const double place = -8.93 - 1.74 * repeatable::log(e.agreement.conflict + 0.003) + 1.53 * e.agreement.surface_fit -
+                       0.77 * repeatable::log(e.held_fit + 0.01) +
+                       1.17 * std::clamp(e.margin, -kMaxMargin, kMaxMargin) - 3.31 * (e.tracked ? 0.0 : 1.0);
   const double sigma = std::max(e.sigma_m / kRightMetres, e.sigma_rad / kRightRadians);
-  const double precise = -8.18 - 2.39 * repeatable::log(std::min(sigma, 10.0) + 0.003) +
-                         1.63 * repeatable::log(static_cast<double>(e.matches) + 1.0);
+  const double precise = -8.33 - 2.23 * repeatable::log(std::min(sigma, 10.0) + 0.003) +
+                         1.70 * repeatable::log(static_cast<double>(e.matches) + 1.0);
   return logistic(place) * logistic(precise);
 }
 
@@ -107,6 +109,9 @@ void decide(const Evidence& evidence, RegistrationResult& result) {
   } else if (std::min(a.overlap, a.overlap_back) < kMinOverlap) {
     result.probability = std::min(result.probability, 0.5);
     result.reason = "The scans share too little: " + figures + ".";
+  } else if (a.conflict > kMaxConflict) {
+    result.probability = std::min(result.probability, 0.5);
+    result.reason = "Each scan saw through what the other shows: " + figures + ".";
   } else if (result.probability >= kAcceptedProbability) {
     result.verdict = Verdict::accepted;
     result.reason = format("The scans agree within %.0f mm: ", 1000.0 * result.inlier_rmse_m) + figures + ".";
