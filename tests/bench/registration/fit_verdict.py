@@ -96,7 +96,12 @@ def fit(data):
 
 def barred(r):
     """The verdict's rules: what is never accepted, whatever the probability."""
-    return r["open"] > 0 or min(r["overlap"], r["overlap_back"]) < MIN_OVERLAP or r["conflict"] > MAX_CONFLICT
+    return undecided(r) or r["conflict"] > MAX_CONFLICT
+
+
+def undecided(r):
+    """Of these, what the scans agree on says nothing; the models are not fitted to them."""
+    return r["open"] > 0 or min(r["overlap"], r["overlap_back"]) < MIN_OVERLAP
 
 
 def called(w, r):
@@ -161,7 +166,7 @@ def main():
     parser.add_argument("--diagram")
     options = parser.parse_args()
     train, test = read(options.train), read(options.test)
-    judged = [r for r in train if not barred(r)]
+    judged = [r for r in train if not undecided(r)]
     w = (fit([(place_features(r), float(in_place(r))) for r in judged]),
          fit([(precise_features(r), r["right"]) for r in judged if in_place(r)]))
     for names, values in zip((PLACE, PRECISE), w):

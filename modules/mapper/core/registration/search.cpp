@@ -39,10 +39,13 @@ std::vector<Candidate> look(std::vector<Candidate> candidates, const PreparedSca
   return rank_candidates(std::move(candidates));
 }
 
-/// The wide search asks more matches; the right pose is one of many that a few of them agree on.
-ConsensusOptions options_of(SearchWidth width) {
+/// The wide search asks more matches; without a tracker the right pose is one of many that a few of them agree on.
+ConsensusOptions options_of(SearchWidth width, bool tracked) {
   ConsensusOptions options;
-  if (width == SearchWidth::wide) options.max_matches = 3000, options.max_seeds = 3000, options.max_hypotheses = 64;
+  if (width == SearchWidth::mutual) return options;
+  options.max_matches = 3000;
+  options.max_hypotheses = tracked ? 32 : 64;
+  if (!tracked) options.max_seeds = options.max_matches;
   return options;
 }
 
@@ -74,7 +77,7 @@ std::vector<Candidate> find_candidates(const PreparedScan::Data& source, const P
   const std::vector<Match> matches = match_keypoints(source.keypoints, target.keypoints, R, mutual);
   begin_stage(stages, "hypotheses");
   const std::vector<Hypothesis> hypotheses =
-      find_hypotheses(source.keypoints, target.keypoints, matches, bounds, options_of(width));
+      find_hypotheses(source.keypoints, target.keypoints, matches, bounds, options_of(width, bounds.has_value()));
   begin_stage(stages, "checks");
   std::vector<Candidate> all;
   for (const Hypothesis& h : hypotheses) all.push_back({h.T_target_source, {}});

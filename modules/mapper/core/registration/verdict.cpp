@@ -66,12 +66,12 @@ double rank_of(const Evidence& e) {
 
 // Both models fitted by tests/bench/registration/fit_verdict.py.
 double probability_right(const Evidence& e) {
-  const double place = -8.93 - 1.74 * repeatable::log(e.agreement.conflict + 0.003) + 1.53 * e.agreement.surface_fit -
-                       0.77 * repeatable::log(e.held_fit + 0.01) +
-                       1.17 * std::clamp(e.margin, -kMaxMargin, kMaxMargin) - 3.31 * (e.tracked ? 0.0 : 1.0);
+  const double place = -8.33 - 1.64 * repeatable::log(e.agreement.conflict + 0.003) + 1.86 * e.agreement.surface_fit -
+                       0.55 * repeatable::log(e.held_fit + 0.01) +
+                       1.34 * std::clamp(e.margin, -kMaxMargin, kMaxMargin) - 4.06 * (e.tracked ? 0.0 : 1.0);
   const double sigma = std::max(e.sigma_m / kRightMetres, e.sigma_rad / kRightRadians);
-  const double precise = -8.33 - 2.23 * repeatable::log(std::min(sigma, 10.0) + 0.003) +
-                         1.70 * repeatable::log(static_cast<double>(e.matches) + 1.0);
+  const double precise = -8.19 - 2.13 * repeatable::log(std::min(sigma, 10.0) + 0.003) +
+                         1.71 * repeatable::log(static_cast<double>(e.matches) + 1.0);
   return logistic(place) * logistic(precise);
 }
 
