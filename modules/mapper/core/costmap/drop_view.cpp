@@ -22,7 +22,10 @@ constexpr double kThrough = 0.02;   // metres below the ground: more than the gr
 }  // namespace
 
 DropView::DropView(const MapPoints& points, const GroundSurface& ground, const SweepViewConfig& config)
-    : config_(config), origin_(points.origin), bins_(static_cast<int>(config.max_range_m / kBin)) {
+    : config_(config),
+      origin_(points.origin),
+      bins_(static_cast<int>(config.max_range_m / kBin)),
+      steepest_(repeatable::sin(config.climbable_slope) / repeatable::cos(config.climbable_slope)) {
   beams_.assign(static_cast<std::size_t>(kSectors) * bins_, {std::numeric_limits<float>::infinity(), 0, false, false});
   const double floor_band = config_.climbable_step_m + config_.range_sigma_m;
   for (const Eigen::Vector3f& point : points.points) {
@@ -59,9 +62,8 @@ DropView::Below DropView::below(std::size_t sector, int bin, double sensor_above
   const double range = (bin + 0.5) * kBin;
   if (!(beam.slope < 0.0f) || sensor_above + beam.slope * range > 0.0) return Below::nothing;
   const double depth = -(sensor_above + beam.slope * (beam.ends + 0.5) * kBin);
-  const double steepest = repeatable::sin(config_.climbable_slope) / repeatable::cos(config_.climbable_slope);
   const double noise = 5.0 * config_.range_sigma_m * std::min(1.0, static_cast<double>(-beam.slope));
-  if (-beam.slope > steepest && depth > std::max(config_.climbable_step_m + config_.range_sigma_m, noise)) {
+  if (-beam.slope > steepest_ && depth > std::max(config_.climbable_step_m + config_.range_sigma_m, noise)) {
     return Below::drop;
   }
   const double gap = depth / -beam.slope;  // over which the ground may fall as it does everywhere

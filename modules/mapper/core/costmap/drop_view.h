@@ -43,6 +43,7 @@ class DropView {
   SweepViewConfig config_;
   Eigen::Vector3d origin_;
   int bins_;
+  double steepest_;          ///< Slope that the robot can drive.
   std::vector<Beam> beams_;  ///< By sector, then bin.
 };
 

@@ -7,7 +7,7 @@ namespace scanway::polar {
 
 /// Directions about a sensor are told apart in eighths of a degree.
 constexpr int kSectors = 2880;
-constexpr double kBin = 0.02;  // metres: along a direction
+constexpr double kBin = 0.02;                                             // metres: along a direction
 constexpr double kSectorWidth = 2.0 * 3.14159265358979323846 / kSectors;  // radians
 
 /// Sector of the direction (x, y), 0 along x, counter-clockwise. A polynomial of our own: this is called for every
