@@ -56,6 +56,7 @@ SweepResult Mapper::add(const Sweep& sweep, StageListener* stages) {
     const std::vector<SweepMove> moves = result.correction.remade > 0 ? follow_poses() : std::vector<SweepMove>();
     trajectory_.push_back({sweep.utime, result.X_map_sweep});
     result.change = map_.merge(sweep, result.X_map_sweep, stages, moves);
+    result.reason += said_of(result.change.ground);
   }
   begin_stage(stages, "");
   results_.push_back(result);

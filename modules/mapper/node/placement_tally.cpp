@@ -26,11 +26,13 @@ void PlacementTally::count(const SweepResult& result) {
     tell(result.correction);
   }
   note_.clear();
-  const std::string movement = said_of(result.movement);
+  const std::string ground = refused ? "" : said_of(result.change.ground);
+  without_ground_ += ground.empty() ? 0 : 1;
+  const std::string said = said_of(result.movement) + ground;
   if (refused) {
     note_ = fmt::format("{} was refused: {}", printable(result.name), printable(result.reason));
-  } else if (!movement.empty()) {
-    note_ = fmt::format("{}:{}", printable(result.name), movement);
+  } else if (!said.empty()) {
+    note_ = fmt::format("{}:{}", printable(result.name), said);
   }
 }
 
@@ -38,6 +40,7 @@ std::map<std::string, std::int64_t> PlacementTally::counters() const {
   return {{"mapper_sweeps_refused", refused_},
           {"mapper_sweeps_moved", moved_},
           {"mapper_scenes_moved", scenes_moved_},
+          {"mapper_sweeps_without_ground", without_ground_},
           {"mapper_corrections", corrections_}};
 }
 

@@ -49,16 +49,18 @@ GroundReport find_ground(const MapPoints& points, std::optional<double> sensor_h
   if (sensor_height_m) config.sensor_height_m = *sensor_height_m;
   GroundReport report;
   report.plane = find_ground_plane(points, config);
+  report.height_known = sensor_height_m.has_value();
   if (report.plane) {
     const Eigen::Vector3d& o = points.origin;
     report.sensor_height_m = o.z() - report.plane->height_at(o.x(), o.y());
-    report.note = "ground found";
-  } else if (sensor_height_m) {
-    report.note = "no ground found where the sensor's height puts it";
-  } else {
-    report.note = "no ground found";
   }
   return report;
+}
+
+std::string said_of(const GroundReport& ground) {
+  if (ground.plane) return "";
+  const std::string where = ground.height_known ? " where the sensor's height puts it" : "";
+  return " No ground was found" + where + ": the cost map does not show this sweep.";
 }
 
 Look look(const MapPoints& points, const Sweep& sweep, const Pose& X_map_sweep, const Robot& robot, std::uint64_t seed,

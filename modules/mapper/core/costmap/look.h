@@ -19,8 +19,11 @@ struct GroundReport {
   std::optional<GroundPlane> plane;  ///< In the map frame.
   double sensor_height_m = 0.0;      ///< Of the sensor above the plane, where there is one.
   double surface_area_m2 = 0.0;      ///< Of the floor on which a robot can stand, as far as it was seen.
-  std::string note;                  ///< One sentence for people.
+  bool height_known = false;         ///< It was looked for only where the sensor's height puts it.
 };
+
+/// For people, to follow another sentence. Empty: there is ground.
+std::string said_of(const GroundReport& ground);
 
 /// `sensor_height_m`: of the sensor above the ground below it, if known. `seed`: of the search for the plane.
 GroundReport find_ground(const MapPoints& points, std::optional<double> sensor_height_m, const Robot& robot,
