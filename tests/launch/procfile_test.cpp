@@ -12,7 +12,8 @@ namespace {
 class Procfile : public testing::TestWithParam<const char*> {};
 
 TEST_P(Procfile, StartsProgramsThatTakeItsOptions) {
-  const std::regex line_form("^[a-z]+: launch/keep \"?(?:build|\\$SCANWAY_BUILD)/bin/(scanway-[a-z]+)\"? (.*)$"),
+  const std::regex line_form(
+      "^[a-z]+: launch/keep (?:\\$SCANWAY_AT_ONCE )?\"?(?:build|\\$SCANWAY_BUILD)/bin/(scanway-[a-z]+)\"? (.*)$"),
       option_form("--[a-z-]+");
   std::istringstream lines(read_text(std::string(SCANWAY_SOURCE_DIR) + "/launch/" + GetParam()));
   int programs = 0;

@@ -62,9 +62,7 @@ class Bridge {
  public:
   explicit Bridge(LcmBus& bus) : bus_(bus) {
     hear<health_t>(channel::kHealth, [this](const health_t& message) {
-      if (message.process_name != kBridge) return;
-      health_ = message;
-      heard_ = steady_now();
+      if (message.process_name == kBridge) take(message);
     });
     hear<sweep_mark_t>(channel::kSweepMark, [this](const sweep_mark_t& mark) {
       marks_[{mark.numbered_since, mark.sweep}] = mark;
@@ -78,16 +76,19 @@ class Bridge {
     if (steady_now() - heard_ <= kPatience) return;
     throw InputError("no scanway-schunk is heard on this bus: start it, or name its bus by --lcm-url");
   }
-  std::int64_t counter(const std::string& name) const {
-    for (const counter_t& counter : health_.counters) {
-      if (counter.counter_name == "schunk_" + name) return counter.count;
-    }
-    return -1;
+  /// Whether it says what became of the command of that time; then what it says of all is of that moment.
+  bool answers(Utime command) const {
+    return counter("last_command") == command && counter("last_command_refused") >= 0 && counter("sweep") >= 0;
   }
-  const std::string& summary() const { return health_.summary; }
+  /// As it said last; below 0: it did not say yet.
+  std::int64_t counter(const std::string& name) const {
+    const auto found = counters_.find("schunk_" + name);
+    return found == counters_.end() ? -1 : found->second;
+  }
+  const std::string& summary() const { return summary_; }
   /// The newest mark of that sweep, if there is one.
   std::optional<sweep_mark_t> mark_of(std::int64_t sweep) const {
-    const auto found = marks_.find({health_.start_utime, sweep});
+    const auto found = marks_.find({start_, sweep});
     return found == marks_.end() ? std::nullopt : std::optional(found->second);
   }
   /// What became of the sweep that began then.
@@ -108,8 +109,20 @@ class Bridge {
     });
   }
 
+  /// HEALTH comes in several messages of one time, each with its share of the counters.
+  void take(const health_t& message) {
+    if (message.utime != said_) counters_.clear();
+    said_ = message.utime;
+    start_ = message.start_utime;
+    summary_ = message.summary;
+    for (const counter_t& one : message.counters) counters_[one.counter_name] = one.count;
+    heard_ = steady_now();
+  }
+
   LcmBus& bus_;
-  health_t health_{};
+  Utime said_ = 0, start_ = 0;
+  std::string summary_;
+  std::map<std::string, std::int64_t> counters_;
   SteadyTime heard_ = steady_now();
   std::map<std::pair<Utime, std::int64_t>, sweep_mark_t> marks_;
   std::map<Utime, registration_t> verdicts_;  // By the sweep's last point.
@@ -157,7 +170,7 @@ int run_command(const CommandOptions& options) {
   const Command message = message_of(options);
   LcmBus bus(lcm_url(options.lcm_url));
   Bridge bridge(bus);
-  for (SteadyTime again = 0; bridge.counter("last_command") != message.utime; bridge.listen()) {
+  for (SteadyTime again = 0; !bridge.answers(message.utime); bridge.listen()) {
     if (steady_now() < again) continue;
     bus.publish(channel::kPanTiltCommand.name, encode(message), 0);
     again = steady_now() + kSayAgain;

@@ -24,8 +24,8 @@ struct SetFacts {
 };
 
 constexpr SetFacts kFacts[] = {
-    {"hall_scans_a", 0.3, 0.05, 0.3},       {"corridor_tilting_sick_3dtk", 0.3, 0.05, 0.5},
-    {"street_pair_hdl32", 0.3, 0.1, 0.5},   {"street_kitti00", 2.5, 0.1, 0.5},
+    {"hall_scans_a", 0.3, 0.05, 0.3},         {"corridor_tilting_sick_3dtk", 0.3, 0.05, 0.5},
+    {"street_pair_hdl32", 0.3, 0.1, 0.5},     {"street_kitti00", 2.5, 0.1, 0.5},
     {"tilted_velodyne_lpm", 0.3, 0.05, 0.45}, {"handheld_os0_balm", 0.3, 0.1, 0.5},
 };
 
