@@ -20,6 +20,7 @@
 #include "tests/common/messages/random_wire.h"
 #include "tests/live/hostile/messages/hostile_messages.h"
 #include "tests/live/hostile/processes.h"
+#include "tests/modules/mapper/node/room.h"
 
 // Leaks are looked for where a debugger may look (not in every container); they are not what this is about.
 extern "C" const char* __asan_default_options() { return "detect_leaks=0"; }
@@ -46,29 +47,11 @@ bool is_of(const std::vector<Channel>& channels, const Channel& channel) {
   return std::any_of(channels.begin(), channels.end(), [&](const Channel& one) { return one.name == channel.name; });
 }
 
-/// A floor and four walls around the sensor, which stands 1 m above the floor.
-Sweep room(Utime utime) {
-  Random random(1);
-  Sweep sweep;
-  sweep.name = "room";
-  sweep.utime = utime;
-  const auto add = [&](double x, double y, double z) {
-    sweep.cloud.points.emplace_back(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
-  };
-  for (int i = 0; i < 6000; ++i) {
-    const double u = 8.0 * random.uniform() - 4.0, v = 6.0 * random.uniform() - 3.0, h = 2.5 * random.uniform() - 1.0;
-    add(u, v, -1.0);
-    add(u, random.uniform() < 0.5 ? -3.0 : 3.0, h);
-    add(random.uniform() < 0.5 ? -4.0 : 4.0, v, h);
-  }
-  return sweep;
-}
-
 template <class Publish>
 void tell_the_truth(const Publish& publish) {
   publish(channel::kGoal.name, encode(goal_message(kStart - 10, {1.0, 0.5})));
   publish(channel::kImu.name, encode(imu_message(kStart - 5, Eigen::Quaterniond::Identity())));
-  for (const piece_t& piece : cut(encode(to_message(room(kStart))), "room", 1, kStart)) {
+  for (const piece_t& piece : cut(encode(to_message(room(kStart, "room"))), "room", 1, kStart)) {
     publish(channel::kSweep.name, encode(piece));
   }
 }
@@ -223,7 +206,7 @@ TEST_F(Hostile, AMapBeyondAllBoundsEndsNothing) {
 TEST_F(Hostile, ASweepBeyondAllBoundsEndsNothing) {
   Utime utime = kStart;
   for (const float absurd : {1e30F, std::numeric_limits<float>::infinity(), std::nanf("")}) {
-    Sweep sweep = room(++utime);
+    Sweep sweep = room(++utime, "room");
     for (std::size_t i = 0; i < sweep.cloud.size(); i += 3) sweep.cloud.points[i].x() = absurd;
     for (const piece_t& piece : cut(encode(to_message(sweep)), "absurd", utime, utime)) {
       tell(channel::kSweep, encode(piece));
