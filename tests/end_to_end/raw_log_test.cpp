@@ -70,5 +70,25 @@ TEST_F(RawLog, WhatWasDerivedIsVerifiedFromTheRawMessages) {
   }
 }
 
+TEST_F(RawLog, ARecordedSweepThatLacksPiecesIsComparedByItsDigestWithWhatItsLinesGive) {
+  const CommandResult verified = run_scanway({"replay", "--verify", without("SWEEP", 300, "pieces")});
+  EXPECT_EQ(verified.status, 0) << verified.out << verified.err;
+  EXPECT_NE(verified.err.find("compared by its digest alone: SWEEP sweep_"), std::string::npos) << verified.err;
+}
+
+TEST_F(RawLog, ARecordedSweepThatIsAlteredIsNamed) {
+  LogReader log(path("first/out.lcmlog"));
+  LogWriter copy(path("altered"));
+  for (int i = 0; const auto event = log.next();) {
+    std::vector<std::uint8_t> bytes(event->bytes.begin(), event->bytes.end());
+    if (event->channel == "SWEEP" && ++i == 300) bytes.back() ^= 1U;
+    copy.write(event->channel, bytes, event->utime);
+  }
+  copy.close();
+  const CommandResult verified = run_scanway({"replay", "--verify", path("altered")});
+  EXPECT_NE(verified.status, 0);
+  EXPECT_NE((verified.out + verified.err).find("SWEEP sweep_"), std::string::npos) << verified.out << verified.err;
+}
+
 }  // namespace
 }  // namespace scanway::test

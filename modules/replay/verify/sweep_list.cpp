@@ -64,21 +64,21 @@ FoundInput find_input(const RecordedLog& log, const input_span_t& input) {
                       input.first_utime, input.last_utime, hex(input.used_digest), input.used_count, messages.size())};
 }
 
-/// The object on SWEEP with that digest, whatever its key: whole, or the name of what is missing.
-const RecordedObject* find_sweep(const RecordedLog& log, const sweep_inputs_t& listed, std::string& missing) {
-  missing =
-      fmt::format("SWEEP {} at {} digest {}", printable(listed.sweep_name), listed.utime, hex(listed.sweep_digest));
+/// The object on SWEEP with that digest, whatever its key: whole and sound, or why not.
+struct FoundSweep {
+  const RecordedObject* whole = nullptr;
+  std::string fault;    ///< What is there is not what was sent.
+  std::string lacking;  ///< Pieces, or all of it.
+};
+
+FoundSweep find_sweep(const RecordedLog& log, const sweep_inputs_t& listed) {
   for (const auto& [name, object] : log.objects_of(channel::kSweep)) {
     if (name.digest != listed.sweep_digest) continue;
-    if (object.whole() && object.fault().empty()) {
-      missing.clear();
-      return &object;
-    }
-    missing += ": " + (object.whole() ? object.fault() : object.lacking());
-    return nullptr;
+    if (!object.whole()) return {nullptr, "", object.lacking()};
+    if (!object.fault().empty()) return {nullptr, object.fault(), ""};
+    return {&object, "", ""};
   }
-  missing += ": all of it";
-  return nullptr;
+  return {nullptr, "", "all of it"};
 }
 
 /// Why the list cannot be of that sweep; empty: it can.
@@ -87,6 +87,23 @@ std::string contradiction(const sweep_inputs_t& listed, const RecordedObject& ob
   if (sweep.utime == listed.utime && sweep.name == listed.sweep_name) return {};
   return fmt::format("SWEEP_INPUTS of {} at {} is not of the sweep that it names, {} at {}",
                      printable(listed.sweep_name), listed.utime, printable(sweep.name), sweep.utime);
+}
+
+/// Finds the sweep itself. Where it is made of lines that the log holds, it is no input: if pieces of it are lacking,
+/// its digest, which is listed, is compared all the same.
+void take_sweep(const RecordedLog& log, const sweep_inputs_t& listed, ListedSweep& sweep, SweepList& list) {
+  const FoundSweep found = find_sweep(log, listed);
+  const std::string name =
+      fmt::format("SWEEP {} at {} digest {}", printable(listed.sweep_name), listed.utime, hex(listed.sweep_digest));
+  sweep.sweep = found.whole;
+  if (found.whole != nullptr) {
+    if (list.difference.empty()) list.difference = contradiction(listed, *found.whole);
+  } else if (sweep.complete && sweep.is_assembled() && found.fault.empty()) {
+    list.notes.push_back(fmt::format("compared by its digest alone: {}: lacks {}", name, found.lacking));
+  } else {
+    list.missing.push_back(name + ": " + (found.fault.empty() ? found.lacking : found.fault));
+    sweep.complete = false;
+  }
 }
 
 /// The version of the map that the sweep made, as a product of it says that is whole; 0 if there is none.
@@ -126,6 +143,10 @@ void find_what_is_not_listed(const RecordedLog& log, std::optional<Utime> contin
 
 }  // namespace
 
+bool ListedSweep::is_assembled() const {
+  return std::ranges::any_of(messages, [](const auto& message) { return message.first == channel::kLaserLine.name; });
+}
+
 std::string missing_input(const RecordedLog& log, const input_span_t& input) { return find_input(log, input).missing; }
 
 SweepList list_sweeps(const RecordedLog& log, std::optional<Utime> continued) {
@@ -144,11 +165,7 @@ SweepList list_sweeps(const RecordedLog& log, std::optional<Utime> continued) {
       sweep.complete = sweep.complete && found.missing.empty();
       if (!found.missing.empty()) list.missing.push_back(found.missing);
     }
-    std::string missing;
-    sweep.sweep = find_sweep(log, listed, missing);
-    if (sweep.sweep == nullptr) list.missing.push_back(missing);
-    sweep.complete = sweep.complete && sweep.sweep != nullptr;
-    if (sweep.sweep != nullptr && list.difference.empty()) list.difference = contradiction(listed, *sweep.sweep);
+    take_sweep(log, listed, sweep, list);
     list.sweeps.push_back(std::move(sweep));
   }
   find_what_is_not_listed(log, continued, list);

@@ -16,12 +16,16 @@ struct ListedSweep {
   /// What it used beside the sweep itself, by channel, in the order of use.
   std::vector<std::pair<std::string, RecordedLog::Bytes>> messages;
   const RecordedObject* sweep = nullptr;  ///< Whole; nullptr: the log lacks some of it.
-  bool complete = false;                  ///< The log holds all that is listed.
+  bool complete = false;                  ///< The log holds all that it is computed from.
+
+  /// From lines, angles and orientations; else it came as a whole.
+  bool is_assembled() const;
 };
 
 struct SweepList {
   std::vector<ListedSweep> sweeps;   ///< In the order in which the mapper worked on them.
   std::vector<std::string> missing;  ///< What the log lacks of what is listed, and sweeps that are not listed.
+  std::vector<std::string> notes;    ///< What people should know beside.
   std::vector<Utime> not_listed;     ///< Sweeps that left traces in the log, but not their SWEEP_INPUTS.
   std::string difference;            ///< The list contradicts itself or a sweep; empty: it does not.
 };

@@ -62,7 +62,7 @@ class Rerun {
     for (const auto& [channel, message] : sweep.messages) bus_.publish(channel, message, sweep.utime);
     bus_.dispatch();
     assembler_.finish();
-    if (!is_assembled(sweep)) {
+    if (!sweep.is_assembled()) {
       for (const auto& [number, piece] : sweep.sweep->pieces()) bus_.publish(channel::kSweep.name, piece, sweep.utime);
     }
     bus_.dispatch();
@@ -89,11 +89,6 @@ class Rerun {
   }
 
  private:
-  static bool is_assembled(const ListedSweep& sweep) {
-    const auto is_line = [](const auto& message) { return message.first == channel::kLaserLine.name; };
-    return std::ranges::any_of(sweep.messages, is_line);
-  }
-
   MemoryBus bus_;
   MapperNode mapper_;
   SweepAssembler assembler_;
@@ -118,6 +113,7 @@ class Verifier {
     result_.missing.insert(result_.missing.begin(), list_.missing.begin(), list_.missing.end());
     const auto add = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
     add(result_.missing, paths_.missing());
+    add(result_.notes, list_.notes);
     add(result_.notes, paths_.notes());
     if (!played.empty()) result_.unused = not_used(RecordedLog(played), log_);
   }
