@@ -148,15 +148,4 @@ SweepEvidence gather_evidence(const std::vector<ObstacleReturn>& obstacles, cons
   return evidence;
 }
 
-void apply_evidence(CostMap& map, const SweepEvidence& evidence) {
-  for (const auto& [index, tile] : evidence) {
-    CostTile* target = nullptr;
-    for (std::size_t cell = 0; cell < CostTile::kCells; ++cell) {
-      if (!tile.says_anything(cell)) continue;
-      if (target == nullptr) target = &map.tiles[index];
-      target->state[cell] = tile.over(target->state[cell], cell);
-    }
-  }
-}
-
 }  // namespace scanway

@@ -60,7 +60,4 @@ SweepEvidence gather_evidence(const std::vector<ObstacleReturn>& obstacles, cons
                               const SweepView& view, const DropView& drops, const Robot::Body& body,
                               const Pose& X_map_sweep, double resolution_m);
 
-/// Lays a sweep over the map: where it has a view, it wins over what was known before.
-void apply_evidence(CostMap& map, const SweepEvidence& evidence);
-
 }  // namespace scanway

@@ -10,6 +10,18 @@
 namespace scanway {
 namespace {
 
+/// The plain way: lays a sweep over the map; where it has a view, it wins over what was known before.
+void apply_evidence(CostMap& map, const SweepEvidence& evidence) {
+  for (const auto& [index, tile] : evidence) {
+    CostTile* target = nullptr;
+    for (std::size_t cell = 0; cell < CostTile::kCells; ++cell) {
+      if (!tile.says_anything(cell)) continue;
+      if (target == nullptr) target = &map.tiles[index];
+      target->state[cell] = tile.over(target->state[cell], cell);
+    }
+  }
+}
+
 constexpr std::int32_t kSide = CostTile::kSide;
 
 void count_everywhere(EvidenceTile& tile, Random& random) {
