@@ -16,17 +16,25 @@ using polar::kSectors;
 using polar::sector_of;
 
 constexpr double kFarDrop = 0.04;   // metres
-constexpr double kEvenFall = 0.03;  // metres a metre
-constexpr double kThrough = 0.02;   // metres below the ground: more than the ground's own error
+constexpr double kGrazing = 0.1;    // of a sight line's slope: a step of 3 cm hides 30 cm behind it
+constexpr double kEvenFall = 0.02;  // metres a metre: what even ground may fall away
+constexpr double kBend = 0.015;     // metres a metre: what the ground may bend away from its slope here
 
 }  // namespace
 
 DropView::DropView(const MapPoints& points, const GroundSurface& ground, const SweepViewConfig& config)
     : config_(config),
       origin_(points.origin),
+      plane_(ground.plane()),
       bins_(static_cast<int>(config.max_range_m / kBin)),
       steepest_(repeatable::sin(config.climbable_slope) / repeatable::cos(config.climbable_slope)) {
-  beams_.assign(static_cast<std::size_t>(kSectors) * bins_, {std::numeric_limits<float>::infinity(), 0, false, false});
+  beams_.assign(static_cast<std::size_t>(kSectors) * bins_,
+                {std::numeric_limits<float>::infinity(), 0, 0, false, false});
+  add_returns(points, ground);
+  follow_beams();
+}
+
+void DropView::add_returns(const MapPoints& points, const GroundSurface& ground) {
   const double floor_band = config_.climbable_step_m + config_.range_sigma_m;
   for (const Eigen::Vector3f& point : points.points) {
     const Eigen::Vector3d p = point.cast<double>() - origin_;
@@ -41,7 +49,6 @@ DropView::DropView(const MapPoints& points, const GroundSurface& ground, const S
     beam.into_pit |= above < -floor_band;
     if (slope < beam.slope) beam.slope = slope, beam.ends = static_cast<std::uint16_t>(bin);
   }
-  follow_beams();
 }
 
 void DropView::follow_beams() {
@@ -53,43 +60,51 @@ void DropView::follow_beams() {
         beam[bin].slope = beam[bin + 1].slope;
         beam[bin].ends = beam[bin + 1].ends;
       }
+      std::uint16_t last = 0;
+      for (int bin = 0; bin < bins_; ++bin) {
+        if (beam[bin].on_ground) last = static_cast<std::uint16_t>(bin);
+        beam[bin].begins = last;
+      }
     }
   });
 }
 
-DropView::Below DropView::below(std::size_t sector, int bin, double sensor_above) const {
-  const Beam& beam = beams_[sector * bins_ + bin];
-  const double range = (bin + 0.5) * kBin;
-  if (!(beam.slope < 0.0f) || sensor_above + beam.slope * range > 0.0) return Below::nothing;
-  const double depth = -(sensor_above + beam.slope * (beam.ends + 0.5) * kBin);
-  const double noise = 5.0 * config_.range_sigma_m * std::min(1.0, static_cast<double>(-beam.slope));
-  if (-beam.slope > steepest_ && depth > std::max(config_.climbable_step_m + config_.range_sigma_m, noise)) {
-    return Below::drop;
-  }
-  const double gap = depth / -beam.slope;  // over which the ground may fall as it does everywhere
-  if (depth > kFarDrop + kEvenFall * gap) return Below::far_drop;
-  const double band = config_.climbable_step_m + config_.range_sigma_m;
-  return depth > band || sensor_above + beam.slope * range < -kThrough ? Below::passed : Below::nothing;
+DropView::Below DropView::below(const Beam& beam, int bin, const Profile& ground) const {
+  if (!(beam.slope < 0.0f)) return Below::nothing;
+  const double end = (beam.ends + 0.5) * kBin, gap = end - (bin + 0.5) * kBin;
+  const double depth = ground.height + ground.least_rise * gap - beam.slope * end;
+  const double sigma_up = config_.range_sigma_m * std::min(1.0, static_cast<double>(-beam.slope));
+  const double step =
+      (beam.ends - beam.begins) * kBin > kSparse ? 0.5 * config_.climbable_step_m : config_.climbable_step_m;
+  if (depth <= std::max(step + 3.0 * sigma_up, 5.0 * sigma_up) + kBend * gap) return Below::nothing;
+  if (-beam.slope > steepest_ && depth > config_.climbable_step_m + config_.range_sigma_m) return Below::drop;
+  return depth > kFarDrop + kEvenFall * depth / -beam.slope ? Below::far_drop : Below::unsure;
 }
 
-DropView::Below DropView::below(double x, double y, double ground_height) const {
+DropView::Way DropView::way(double x, double y, const GroundSurface::Place& place) const {
   const double dx = x - origin_.x(), dy = y - origin_.y();
-  const int here = static_cast<int>(std::sqrt(dx * dx + dy * dy) / kBin);
-  const double sensor_above = origin_.z() - ground_height;
+  const double range = std::max(std::sqrt(dx * dx + dy * dy), 1e-4);
+  const int here = static_cast<int>(range / kBin);
+  const double rise = (place.slope_x * dx + place.slope_y * dy) / range;
+  const double plane_rise = (plane_.slope_x * dx + plane_.slope_y * dy) / range;
+  // Near a wall's foot the local slope is not to be trusted.
+  const Profile ground{place.height - origin_.z(), std::min(rise, plane_rise)};
   const auto sector = static_cast<std::size_t>(sector_of(static_cast<float>(dx), static_cast<float>(dy)));
-  Below most = Below::nothing;
+  Way way;
+  int least_gap = bins_;
   for (int bin = here; bin <= here + static_cast<int>(kEdge / kBin) && bin < bins_; ++bin) {
     Below around = Below::nothing;
     bool on_ground = false;
     for (const std::size_t step : {kSectors - 1, 0, 1}) {
-      const std::size_t other = (sector + step) % kSectors;
-      const Beam& beam = beams_[other * bins_ + bin];
+      const Beam& beam = beams_[(sector + step) % kSectors * bins_ + bin];
       on_ground = on_ground || (beam.on_ground && !beam.into_pit);
-      around = std::max(around, below(other, bin, sensor_above));
+      around = std::max(around, below(beam, bin, ground));
+      if (bin == here) least_gap = std::min(least_gap, beam.ends - beam.begins);
     }
-    if (!on_ground && (bin == here || around >= Below::far_drop)) most = std::max(most, around);
+    if (!on_ground && (bin == here || around >= Below::far_drop)) way.below = std::max(way.below, around);
   }
-  return most;
+  way.sparse = least_gap > static_cast<int>(kSparse / kBin) || -ground.height < kGrazing * range;
+  return way;
 }
 
 }  // namespace scanway

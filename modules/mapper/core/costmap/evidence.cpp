@@ -19,10 +19,27 @@ Cell cell_at(double x, double y, double resolution) {
 
 void count(std::uint8_t& counter) { counter = static_cast<std::uint8_t>(std::min(counter + 1, 255)); }
 
+/// What is lower may lie between the beams of a far sweep.
+constexpr double kLow_m = 0.1;
+
+/// Counts the returns of each cell, and leaves kLowStep where they are all from something low.
 void count_returns(SweepEvidence& evidence, const std::vector<ObstacleReturn>& obstacles, double resolution) {
   for (const ObstacleReturn& obstacle : obstacles) {
     const Cell cell = cell_at(obstacle.x, obstacle.y, resolution);
-    count(evidence[CostMap::tile_of(cell)].returns[CostMap::index_in_tile(cell)]);
+    EvidenceTile& tile = evidence[CostMap::tile_of(cell)];
+    const std::size_t index = CostMap::index_in_tile(cell);
+    const bool low =
+        obstacle.above <= kLow_m && (tile.returns[index] == 0 || tile.beams[index] == EvidenceTile::kLowStep);
+    tile.beams[index] = low ? EvidenceTile::kLowStep : 0;
+    count(tile.returns[index]);
+  }
+}
+
+/// What was seen of the ground, beside what stands on it.
+void lay_under(EvidenceTile& tile, const EvidenceTile& ground) {
+  tile.ground = ground.ground;
+  for (std::size_t cell = 0; cell < CostTile::kCells; ++cell) {
+    if (tile.returns[cell] == 0) tile.beams[cell] = ground.beams[cell];
   }
 }
 
@@ -30,15 +47,17 @@ void count_returns(SweepEvidence& evidence, const std::vector<ObstacleReturn>& o
 std::uint8_t passed_over(double x, double y, const GroundSurface::Place& place, const SweepView& view,
                          const DropView& drops) {
   if (!place.carried) return view.seen_empty(x, y, place.height) ? EvidenceTile::kEmpty : 0;
-  switch (drops.below(x, y, place.height)) {
+  const DropView::Way way = drops.way(x, y, place);
+  switch (way.below) {
     case DropView::Below::drop:
       return EvidenceTile::kDrop;
     case DropView::Below::far_drop:
       return EvidenceTile::kFarDrop;
-    case DropView::Below::passed:
-      return 0;
+    case DropView::Below::unsure:
+      return EvidenceTile::kUnsure;
     default:
-      return view.seen_empty(x, y, place.height) ? EvidenceTile::kEmpty : 0;
+      if (!view.seen_empty(x, y, place.height)) return 0;
+      return way.sparse ? EvidenceTile::kSparse : EvidenceTile::kEmpty;
   }
 }
 
@@ -112,6 +131,20 @@ void stand(SweepEvidence& evidence, const Robot::Body& body, const Pose& X_map_s
 
 }  // namespace
 
+Known EvidenceTile::over(Known before, std::size_t cell) const {
+  if (returns[cell] > 0) return beams[cell] == kLowStep ? Known::low : Known::occupied;
+  if (beams[cell] == kDrop) return Known::low;
+  const bool seen_closely = before == Known::free || before >= Known::low;
+  if (beams[cell] == kFarDrop) return seen_closely ? before : Known::low;
+  if (beams[cell] == kUnsure) return seen_closely ? before : Known::suspected;
+  if (ground[cell] == 0) return beams[cell] == kEmpty && before == Known::occupied ? Known::nothing : before;
+  if (beams[cell] == kEmpty) return Known::free;
+  if (beams[cell] == kOwnShadow) return before == Known::nothing ? Known::sparsely_free : before;
+  if (beams[cell] == kSparse)
+    return before == Known::nothing || before == Known::occupied ? Known::sparsely_free : before;
+  return before;
+}
+
 SweepEvidence gather_evidence(const std::vector<ObstacleReturn>& obstacles, const GroundSurface& ground,
                               const SweepView& view, const DropView& drops, const Robot::Body& body,
                               const Pose& X_map_sweep, double resolution_m) {
@@ -140,9 +173,7 @@ SweepEvidence gather_evidence(const std::vector<ObstacleReturn>& obstacles, cons
   });
   for (std::size_t i = 0; i < tiles.size(); ++i) {
     if (seen[i] == nullptr) continue;
-    EvidenceTile& tile = evidence[tiles[i]];
-    tile.beams = seen[i]->beams;
-    tile.ground = seen[i]->ground;
+    lay_under(evidence[tiles[i]], *seen[i]);
   }
   stand(evidence, body, X_map_sweep, resolution_m);
   return evidence;

@@ -30,13 +30,13 @@ const std::uint8_t* unpack(const std::uint8_t* runs, Plane& plane) {
 }
 
 /// Where the evidence has a view, it wins. Whether any state changed.
-bool overlay(const EvidenceTile& evidence, CostTile& tile) {
+bool overlay(const EvidenceTile& evidence, std::array<Known, CostTile::kCells>& known, CostTile& tile) {
   bool changed = false;
   for (std::size_t cell = 0; cell < CostTile::kCells; ++cell) {
-    const CellState state = evidence.over(tile.state[cell], cell);
-    if (state == tile.state[cell]) continue;
+    known[cell] = evidence.over(known[cell], cell);
+    const CellState state = state_of(known[cell]);
+    changed = changed || state != tile.state[cell];
     tile.state[cell] = state;
-    changed = true;
   }
   return changed;
 }
@@ -71,11 +71,11 @@ std::vector<Cell> EvidenceHistory::put(CostMap& map, SweepNumber sweep, const Sw
   for (const auto& [index, tile] : evidence) {
     if (!says_anything(tile)) continue;
     TileHistory& history = tiles_[index];
-    const bool newest = history.empty() || history.rbegin()->first < sweep;
-    history.emplace(sweep, tile);
+    const bool newest = history.sweeps.empty() || history.sweeps.rbegin()->first < sweep;
+    history.sweeps.emplace(sweep, tile);
     if (!newest || unsettled_.contains(index)) {
       unsettled_.insert(index);
-    } else if (overlay(tile, map.tiles[index])) {
+    } else if (overlay(tile, history.known, map.tiles[index])) {
       changed.insert(index);
     }
   }
@@ -92,15 +92,15 @@ void EvidenceHistory::hold(SweepNumber sweep, const SweepEvidence& evidence) {
   forget(sweep);
   for (const auto& [index, tile] : evidence) {
     if (!says_anything(tile)) continue;
-    tiles_[index].emplace(sweep, tile);
+    tiles_[index].sweeps.emplace(sweep, tile);
     unsettled_.insert(index);
   }
 }
 
 void EvidenceHistory::forget(SweepNumber sweep) {
   for (auto tile = tiles_.begin(); tile != tiles_.end();) {
-    if (tile->second.erase(sweep) > 0) unsettled_.insert(tile->first);
-    tile = tile->second.empty() ? tiles_.erase(tile) : std::next(tile);
+    if (tile->second.sweeps.erase(sweep) > 0) unsettled_.insert(tile->first);
+    tile = tile->second.sweeps.empty() ? tiles_.erase(tile) : std::next(tile);
   }
 }
 
@@ -113,12 +113,14 @@ std::vector<Cell> EvidenceHistory::settle(CostMap& map) {
   return changed;
 }
 
-bool EvidenceHistory::project(CostMap& map, Cell index) const {
+bool EvidenceHistory::project(CostMap& map, Cell index) {
   CostTile& tile = map.tiles[index];
   const auto before = tile.state;
   tile.state.fill(CellState::unknown);
-  if (const auto history = tiles_.find(index); history != tiles_.end()) {
-    for (const auto& [sweep, packed] : history->second) overlay(packed.unpacked(), tile);
+  if (const auto found = tiles_.find(index); found != tiles_.end()) {
+    TileHistory& history = found->second;
+    history.known.fill(Known::nothing);
+    for (const auto& [sweep, packed] : history.sweeps) overlay(packed.unpacked(), history.known, tile);
   }
   return tile.state != before;
 }
@@ -126,7 +128,7 @@ bool EvidenceHistory::project(CostMap& map, Cell index) const {
 std::size_t EvidenceHistory::bytes() const {
   std::size_t bytes = 0;
   for (const auto& [index, history] : tiles_) {
-    for (const auto& [sweep, packed] : history) bytes += packed.bytes();
+    for (const auto& [sweep, packed] : history.sweeps) bytes += packed.bytes();
   }
   return bytes;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <set>
@@ -45,10 +46,13 @@ class EvidenceHistory {
   std::size_t bytes() const;  ///< Of all evidence, packed.
 
  private:
-  using TileHistory = std::map<SweepNumber, PackedEvidence>;  ///< Oldest first.
+  struct TileHistory {
+    std::map<SweepNumber, PackedEvidence> sweeps;  ///< Oldest first.
+    std::array<Known, CostTile::kCells> known{};
+  };
 
   /// Makes the states of a tile anew; whether any changed.
-  bool project(CostMap& map, Cell index) const;
+  bool project(CostMap& map, Cell index);
 
   std::map<Cell, TileHistory> tiles_;
   std::set<Cell> unsettled_;

@@ -12,6 +12,8 @@ namespace {
 
 constexpr double kUnit = 1e-4;           // metres: of the ranges that returns are sorted by
 constexpr int kNoiseDeviations = 4;      // how far noise throws a return
+constexpr float kLow = 0.1f;             // metres: of a step
+constexpr double kFewDeviations = 2.0;   // so much nearer may a step begin that few returns show
 constexpr std::uint32_t kDominance = 4;  // a place with so many times the returns is the surface
 
 struct Keyed {
@@ -19,23 +21,28 @@ struct Keyed {
   ObstacleReturn value;
 };
 
+/// Whether a return at p, relative to the sensor, is from the face of a pit's far side: below the ground behind it.
+bool below_ground_behind(const Eigen::Vector3d& p, double range, const Eigen::Vector3d& origin,
+                         const GroundSurface& ground, const SweepViewConfig& config) {
+  const Eigen::Vector3d behind = origin + p * (1.0 + GroundSurface::kColumn / std::max(range, 0.1));
+  const GroundSurface::Place place = ground.at(behind.x(), behind.y());
+  return place.carried && is_obstacle_return(place.height - origin.z() - p.z(), p.z(), p.norm(), config);
+}
+
 std::vector<Keyed> collect(const MapPoints& points, const GroundSurface& ground, const SweepViewConfig& config) {
   std::vector<Keyed> returns;
   for (const Eigen::Vector3f& point : points.points) {
     const Eigen::Vector3d p = point.cast<double>() - points.origin;
     const double range2 = p.x() * p.x() + p.y() * p.y();
     if (range2 > config.max_range_m * config.max_range_m) continue;
-    const double above = point.z() - ground.height_at(point.x(), point.y());
-    const double distance = std::sqrt(range2 + p.z() * p.z());
-    const bool in_the_way = is_obstacle_return(above, p.z(), distance, config);
-    // The face of a pit's far side: below ground that lies over it.
-    if (!in_the_way && !(is_obstacle_return(-above, p.z(), distance, config) && ground.carried(point.x(), point.y()))) {
+    const double above = point.z() - ground.height_at(point.x(), point.y()), range = std::sqrt(range2);
+    if (!is_obstacle_return(above, p.z(), p.norm(), config) &&
+        !(p.z() < 0.0 && below_ground_behind(p, range, points.origin, ground, config))) {
       continue;
     }
-    const double range = std::sqrt(range2);
     const int sector = polar::sector_of(static_cast<float>(p.x()), static_cast<float>(p.y()));
     returns.push_back({static_cast<std::uint64_t>(sector) << 32 | static_cast<std::uint64_t>(range / kUnit),
-                       {point.x(), point.y(), static_cast<float>(range), static_cast<float>(p.z()),
+                       {point.x(), point.y(), static_cast<float>(range), 0.0f, static_cast<float>(p.z()),
                         static_cast<float>(above), sector}});
   }
   radix_sort_by_key(returns);
@@ -89,7 +96,10 @@ std::vector<ObstacleReturn> obstacle_returns(const MapPoints& points, const Grou
   std::vector<ObstacleReturn> kept;
   kept.reserve(returns.size());
   for (std::size_t i = 0; i < returns.size(); ++i) {
-    if (greatest[i] < kDominance * counts[i]) kept.push_back(returns[i].value);
+    if (greatest[i] >= kDominance * counts[i]) continue;
+    kept.push_back(returns[i].value);
+    if (counts[i] < kDominance && kept.back().above <= kLow)
+      kept.back().uncertainty = static_cast<float>(kFewDeviations * config.range_sigma_m);
   }
   return kept;
 }

@@ -11,6 +11,7 @@ namespace scanway {
 namespace {
 
 constexpr int kFirmPoints = 4;          // a column's mean of fewer is as uneven as the ground itself
+constexpr int kOnLevel = 8;             // a column that is off a level by less than this part of a step lies on it
 constexpr int kRingsApart = 10;         // columns
 constexpr int kFaceRange = 1000;        // units about a column's mean: what is further off is no part of the ground
 constexpr std::int32_t kFaceRatio = 3;  // a face spreads over so many times as much as the ground around it
@@ -49,11 +50,15 @@ std::int32_t GroundSurface::nearest_ground(std::size_t column) const {
 bool GroundSurface::try_level(std::size_t seed, std::vector<bool>& tried) {
   std::int32_t height = 0;
   if (!flat(seed, height)) return false;
-  if ((height - nearest_ground(seed)) * kLevelUnit > config_.highest_level_m || !join(seed, height)) return false;
+  const std::int32_t below = nearest_ground(seed);
+  if ((height - below) * kLevelUnit > config_.highest_level_m || !join(seed, height)) return false;
   // Far from the sensor a level shows in rings, so far apart.
   static const std::vector<Eigen::Vector2i> kRings = offsets_within(kRingsApart);
   const std::vector<std::size_t> level = grow({seed}, kRings);
-  if (static_cast<double>(level.size()) * kColumn * kColumn >= config_.least_level_m2) return true;
+  const bool low = std::all_of(level.begin(), level.end(), [&](std::size_t column) {
+    return (mean(column) - below) * kLevelUnit <= config_.highest_level_m;
+  });
+  if (low && static_cast<double>(level.size()) * kColumn * kColumn >= config_.least_level_m2) return true;
   for (const std::size_t column : level) columns_[column] = Column{}, tried[column] = true;
   return false;
 }
@@ -76,10 +81,14 @@ const GroundSurface::Column* GroundSurface::firm(int cx, int cy) const {
 
 void GroundSurface::find_step(int cx, int cy, int dx, int dy) {
   const Column *before = firm(cx - dx, cy - dy), *after = firm(cx + dx, cy + dy);
-  if (before == nullptr || after == nullptr) return;
+  if (before == nullptr || after == nullptr || before->face || after->face) return;
   const std::int32_t low = mean(index(cx - dx, cy - dy)), high = mean(index(cx + dx, cy + dy));
   std::int32_t jump = high - low;
   if (std::abs(jump) <= band_) return;
+  if (firm(cx, cy) != nullptr) {  // On one of the two levels: the step runs beside it.
+    const std::int32_t here = mean(index(cx, cy));
+    if (std::min(std::abs(here - low), std::abs(here - high)) < std::abs(jump) / kOnLevel) return;
+  }
   for (const int side : {-1, 1}) {
     for (const int far : {3, 2}) {
       if (firm(cx + side * far * dx, cy + side * far * dy) == nullptr) continue;
@@ -140,7 +149,7 @@ void GroundSurface::find_face(int cx, int cy) {
   const auto even = around.begin() + static_cast<std::ptrdiff_t>(around.size() / 5);
   std::nth_element(around.begin(), even, around.end());
   if (column.spread < kFaceRatio * *even) return;
-  column.step = true;
+  column.face = column.step = true;
   column.lower = lowest;
 }
 

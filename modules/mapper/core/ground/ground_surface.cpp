@@ -38,8 +38,8 @@ GroundSurface::GroundSurface(const MapPoints& points, const GroundPlane& plane, 
   start_around_robot();
   cross_gaps();
   join_levels();
-  find_steps();
   find_faces();
+  find_steps();
   for (int cy = 0; cy < side_; ++cy) {
     for (int cx = 0; cx < side_; ++cx) fit_column(cx, cy);
   }
@@ -218,13 +218,15 @@ void GroundSurface::fill_outwards() {
 }
 
 GroundSurface::Place GroundSurface::at(double x, double y) const {
-  Place place{false, 0, plane_.height_at(x, y)};
+  Place place{false, 0, plane_.height_at(x, y), plane_.slope_x, plane_.slope_y};
   const double fx = (x - corner_x_) / kColumn, fy = (y - corner_y_) / kColumn;
   if (!(fx >= 0.0 && fy >= 0.0 && fx < side_ && fy < side_)) return place;
   const int cx = static_cast<int>(fx), cy = static_cast<int>(fy);
   const Column& column = columns_[index(cx, cy)];
   place.carried = column.carried;
   place.support = column.support;
+  place.slope_x += column.slope_x;
+  place.slope_y += column.slope_y;
   place.height += column.height + (column.slope_x * (fx - cx - 0.5) + column.slope_y * (fy - cy - 0.5)) * kColumn;
   return place;
 }

@@ -49,8 +49,9 @@ class GroundSurface {
 
   struct Place {
     bool carried = false;
-    int support = 0;      ///< Joined columns within 0.3 m.
-    double height = 0.0;  ///< Metres, map frame.
+    int support = 0;                      ///< Joined columns within 0.3 m.
+    double height = 0.0;                  ///< Metres, map frame.
+    double slope_x = 0.0, slope_y = 0.0;  ///< Metres up a metre along x and y.
   };
   /// The ground at (x, y), map frame. Its height is that of the column's plane where it is carried, else of the nearest
   /// carried column's ground, else (beyond the surface) of the ground plane.
@@ -68,6 +69,7 @@ class GroundSurface {
     std::int32_t x_sum = 0, y_sum = 0, u_sum = 0, count = 0;  ///< Of its ground points; x, y from its corner.
     bool joined = false;
     bool carried = false;
+    bool face = false;                    ///< A step's face lies in it, so that its mean is no ground's.
     bool step = false;                    ///< A step runs through it, to
     std::int32_t lower = 0;               ///< what lies so high on its lower side.
     std::int32_t lowest = 0, spread = 0;  ///< Of all points about its ground: the least, the standard deviation.

@@ -10,17 +10,24 @@
 namespace scanway {
 namespace {
 
-/// The plain way: lays a sweep over the map; where it has a view, it wins over what was known before.
-void apply_evidence(CostMap& map, const SweepEvidence& evidence) {
-  for (const auto& [index, tile] : evidence) {
-    CostTile* target = nullptr;
-    for (std::size_t cell = 0; cell < CostTile::kCells; ++cell) {
-      if (!tile.says_anything(cell)) continue;
-      if (target == nullptr) target = &map.tiles[index];
-      target->state[cell] = tile.over(target->state[cell], cell);
+/// The plain way: sweeps laid over each other one after the other.
+class PlainMap {
+ public:
+  void apply(const SweepEvidence& evidence) {
+    for (const auto& [index, tile] : evidence) {
+      for (std::size_t cell = 0; cell < CostTile::kCells; ++cell) {
+        if (!tile.says_anything(cell)) continue;
+        Known& known = known_[index][cell];
+        known = tile.over(known, cell);
+        map.tiles[index].state[cell] = state_of(known);
+      }
     }
   }
-}
+  CostMap map;
+
+ private:
+  std::map<Cell, std::array<Known, CostTile::kCells>> known_;
+};
 
 constexpr std::int32_t kSide = CostTile::kSide;
 
@@ -41,7 +48,7 @@ SweepEvidence random_view(Random& random) {
     const std::size_t x0 = random.below(100), y0 = random.below(100);
     for (std::size_t y = y0; y < y0 + 28; ++y) {
       for (std::size_t x = x0; x < x0 + 28; ++x) {
-        tile.beams[y * kSide + x] = random.below(9) == 0 ? EvidenceTile::kOwnShadow : 1;
+        tile.beams[y * kSide + x] = static_cast<std::uint8_t>(random.below(3) == 0 ? 1 + random.below(7) : 1);
         tile.ground[y * kSide + x] = static_cast<std::uint8_t>(1 + x / 10);
         if (random.below(12) == 0) tile.returns[y * kSide + x] = static_cast<std::uint8_t>(1 + random.below(255));
       }
@@ -71,12 +78,12 @@ TEST(PackedEvidence, IsWithoutLoss) {
 
 /// The cost map of views laid one over the other in order, with costs.
 CostMap laid_over(const std::vector<SweepEvidence>& views, std::ptrdiff_t without = -1) {
-  CostMap map;
+  PlainMap plain;
   for (std::size_t i = 0; i < views.size(); ++i) {
-    if (static_cast<std::ptrdiff_t>(i) != without) apply_evidence(map, views[i]);
+    if (static_cast<std::ptrdiff_t>(i) != without) plain.apply(views[i]);
   }
-  embody(map, Robot{}, Embodiment::footprint);
-  return map;
+  embody(plain.map, Robot{}, Embodiment::footprint);
+  return plain.map;
 }
 
 TEST(EvidenceHistory, AnySweepOfTenCanBeWithdrawn) {
@@ -113,10 +120,10 @@ TEST(EvidenceHistory, ASweepThatMovedLeavesNothingWhereItWas) {
   for (const std::size_t i : {3u, 0u, 4u, 2u, 1u}) {
     embody(map, Robot{}, Embodiment::paper, history.put(map, i, views[i]));
   }
-  CostMap expected;
-  for (const SweepEvidence& view : views) apply_evidence(expected, view);
-  embody(expected, Robot{}, Embodiment::paper);
-  EXPECT_TRUE(map.tiles == expected.tiles);
+  PlainMap expected;
+  for (const SweepEvidence& view : views) expected.apply(view);
+  embody(expected.map, Robot{}, Embodiment::paper);
+  EXPECT_TRUE(map.tiles == expected.map.tiles);
 }
 
 TEST(EvidenceHistory, WithoutSweepsThereIsNoMap) {
