@@ -4,25 +4,27 @@
 #include <cstdlib>
 #include <utility>
 
+#include "modules/mapper/core/registration/cell_order.h"
+
 namespace scanway::registration {
 
 CellGrid::CellGrid(const Points& points, float cell_m)
     : cell_m_(cell_m), per_metre_(1.0f / cell_m), reach_(cell_m * static_cast<float>(kCellLimit - 2)) {
-  std::vector<std::pair<CellKey, std::uint32_t>> order;
+  std::vector<KeyedIndex> order;
   order.reserve(points.size());
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     if (!(points[i].array().abs().maxCoeff() < reach_)) continue;
     const Eigen::Vector3f& p = points[i];
-    order.emplace_back(cell_key(layer_of(p.x()), layer_of(p.y()), layer_of(p.z())), i);
+    order.push_back({cell_key(layer_of(p.x()), layer_of(p.y()), layer_of(p.z())), i});
   }
-  std::sort(order.begin(), order.end());
+  sort_by_cell(order);
   points_.reserve(order.size());
   original_.reserve(order.size());
   rows_of_ = CellTable(order.size() / 8);
   for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
-    for (; end < order.size() && order[end].first == order[begin].first; ++end) {
-      points_.push_back(points[order[end].second]);
-      original_.push_back(order[end].second);
+    for (; end < order.size() && order[end].key == order[begin].key; ++end) {
+      points_.push_back(points[order[end].index]);
+      original_.push_back(order[end].index);
     }
     enter_cell(static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end));
   }

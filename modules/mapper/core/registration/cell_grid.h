@@ -50,10 +50,11 @@ class CellGrid {
     float squared_distance = std::numeric_limits<float>::max();
     bool found() const { return position != CellTable::kNone; }
   };
-  /// The nearest point within `radius` that `admit(position)` lets in; of equals, the lowest position. The query's own
-  /// cell is looked at first: what is found there spares most of the others.
+  /// The nearest point within `radius` that `admit(position)` lets in; of equals, the lowest position. The position
+  /// `hint` and the query's own cell are looked at first: what is found there spares most of the others.
   template <class Admit>
-  Nearest nearest(const Eigen::Vector3f& query, float radius, const Admit& admit) const {
+  Nearest nearest(const Eigen::Vector3f& query, float radius, const Admit& admit,
+                  std::uint32_t hint = CellTable::kNone) const {
     Nearest best{CellTable::kNone, radius * radius};
     const auto look = [&](std::uint32_t begin, std::uint32_t end) {
       for (std::uint32_t i = begin; i < end; ++i) {
@@ -64,6 +65,7 @@ class CellGrid {
       return true;
     };
     if (!reaches(query, radius)) return best;
+    if (hint != CellTable::kNone) look(hint, hint + 1);
     look_at_home(query, look);
     for_each_run(query, radius, best.squared_distance, look);
     return best;

@@ -1,7 +1,8 @@
 #include "modules/mapper/core/registration/voxel_grid.h"
 
-#include <algorithm>
 #include <utility>
+
+#include "modules/mapper/core/registration/cell_order.h"
 
 namespace scanway::registration {
 
@@ -14,11 +15,16 @@ void VoxelGrid::enter(CellKey key) {
 Points VoxelGrid::take_centroids() {
   voxel_of_ = CellTable();
   current_ = CellTable::kNone;
-  std::vector<Voxel> voxels = std::exchange(voxels_, {});
-  std::sort(voxels.begin(), voxels.end(), [](const Voxel& a, const Voxel& b) { return a.key < b.key; });
+  const std::vector<Voxel> voxels = std::exchange(voxels_, {});
+  std::vector<KeyedIndex> order;
+  order.reserve(voxels.size());
+  for (const Voxel& voxel : voxels) order.push_back({voxel.key, static_cast<std::uint32_t>(order.size())});
+  sort_by_cell(order);
   Points centroids(voxels.size());
-  std::transform(voxels.begin(), voxels.end(), centroids.begin(),
-                 [](const Voxel& v) { return Eigen::Vector3f((v.sum / v.count).cast<float>()); });
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const Voxel& voxel = voxels[order[i].index];
+    centroids[i] = (voxel.sum / voxel.count).cast<float>();
+  }
   return centroids;
 }
 
