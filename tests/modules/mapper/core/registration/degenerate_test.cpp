@@ -12,7 +12,7 @@ namespace {
 
 using registration::random_point;
 
-PointCloud cloud_of(registration::Points points) { return {std::move(points), {}}; }
+PointCloud cloud_of(registration::Points points) { return {std::move(points), {}, {}}; }
 
 RegistrationResult register_clouds(const PointCloud& source, const PointCloud& target,
                                    const Eigen::Vector3d& origin = Eigen::Vector3d::Zero(),
