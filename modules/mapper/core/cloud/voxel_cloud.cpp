@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "modules/mapper/core/cloud/packed_sums.h"
+#include "modules/mapper/core/cloud/surface_normals.h"
 
 namespace scanway {
 namespace {
@@ -23,7 +24,8 @@ VoxelCloud::VoxelCloud(double voxel_m, std::shared_ptr<ByteStore> store)
     : voxel_m_(voxel_m), store_(std::move(store)) {}
 
 void VoxelCloud::put(SweepNumber sweep, const MapPoints& points) {
-  const std::vector<VoxelSum> sums = voxel_sums(points, voxel_m_);
+  std::vector<VoxelSum> sums = voxel_sums(points, voxel_m_);
+  set_normals(sums, points.origin, voxel_m_);
   const bool with_intensity = !points.intensity.empty() && !sums.empty();
   std::map<TileNumber, std::size_t> begin;
   std::vector<std::uint8_t> bytes;

@@ -19,6 +19,7 @@ namespace scanway {
 ///
 /// Coordinates are counted in 1024ths of a voxel and summed in integers, so the cloud is the same whatever the order in
 /// which points or sweeps arrive. A centroid is off by at most 1/2048 of a voxel (5 um at 1 cm) a coordinate.
+/// Its normal is the sum of those that each sweep's own points show (surface_normals.h), in integers too.
 /// Any extent to +-2^20 voxels from the map's origin (10 km at 1 cm); points beyond are left out and counted.
 ///
 /// What each sweep shows is kept for itself, packed, by tile, in a store; a voxel is added up when it is asked for. So
@@ -36,8 +37,8 @@ class VoxelCloud {
   using TileNumber = std::uint64_t;
   std::vector<TileNumber> tiles() const;  ///< Those with points, in order.
 
-  /// Centroids in Morton order of their voxels, in the map frame, with the mean intensity (when points had any): of one
-  /// tile, or of all of the sweeps before number `end`.
+  /// Centroids in Morton order of their voxels, in the map frame, with their normals and the mean intensity (when
+  /// points had any): of one tile, or of all of the sweeps before number `end`.
   PointCloud centroids_of(TileNumber tile) const;
   PointCloud centroids(SweepNumber end = std::numeric_limits<SweepNumber>::max()) const;
 

@@ -59,8 +59,8 @@ struct Products {
   explicit Products(const Map& map)
       : cloud(map.cloud().centroids()), octomap(map.occupancy_tree().ot_bytes()), tiles(map.cost_map().tiles) {}
   bool operator==(const Products& other) const {
-    return cloud.points == other.cloud.points && cloud.intensity == other.cloud.intensity && octomap == other.octomap &&
-           tiles == other.tiles;
+    return cloud.points == other.cloud.points && cloud.normals == other.cloud.normals &&
+           cloud.intensity == other.cloud.intensity && octomap == other.octomap && tiles == other.tiles;
   }
   PointCloud cloud;
   std::string octomap;
