@@ -5,7 +5,10 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <set>
 #include <vector>
+
+#include <Eigen/Geometry>
 
 #include "common/cloud/point_cloud.h"
 #include "modules/mapper/core/cloud/map_points.h"
@@ -36,9 +39,13 @@ class VoxelCloud {
   /// A cube of 512 voxels a side, by its place in the order of their Morton codes.
   using TileNumber = std::uint64_t;
   std::vector<TileNumber> tiles() const;  ///< Those with points, in order.
+  /// Those that sweeps came to, or left, since this was asked last, in order.
+  std::vector<TileNumber> take_changed_tiles();
+  Eigen::AlignedBox3d box_of(TileNumber tile) const;  ///< Metres, in the map frame.
 
   /// Centroids in Morton order of their voxels, in the map frame, with their normals and the mean intensity (when
-  /// points had any): of one tile, or of all of the sweeps before number `end`.
+  /// points had any): of one tile (intensity: when a sweep with points there had any), or of all of the sweeps before
+  /// number `end`.
   PointCloud centroids_of(TileNumber tile) const;
   PointCloud centroids(SweepNumber end = std::numeric_limits<SweepNumber>::max()) const;
 
@@ -56,10 +63,13 @@ class VoxelCloud {
   };
 
   std::vector<VoxelSum> sums_of(TileNumber tile, SweepNumber end) const;
+  void note_change(const View& view);
+  void forget(std::map<SweepNumber, View>::iterator view);
 
   double voxel_m_;
   std::shared_ptr<ByteStore> store_;
   std::map<SweepNumber, View> views_;
+  std::set<TileNumber> changed_;
 };
 
 }  // namespace scanway
