@@ -5,8 +5,8 @@
 #include "common/files/input_error.h"
 #include "common/files/printable.h"
 #include "common/files/text_lines.h"
-#include "common/octree/octree_space.h"
 #include "common/octree/octree_file.h"
+#include "common/octree/octree_space.h"
 
 namespace scanway {
 namespace {

@@ -3,8 +3,8 @@
 #include <charconv>
 #include <string>
 
-#include "common/octree/octree_space.h"
 #include "common/octree/octree_file.h"
+#include "common/octree/octree_space.h"
 
 namespace scanway {
 namespace {
