@@ -14,22 +14,27 @@ namespace {
 struct Return {
   std::uint64_t key;  ///< Its patch.
   std::uint32_t point;
+  bool higher;  ///< Than grass: from what stands there.
 };
 
+constexpr double kStanding = 0.5;    // metres above the ground: so far something that stands on it is looked for
+constexpr double kMostHigher = 0.1;  // of a patch's returns
 constexpr std::int64_t kMiddle = 1 << 20;
 
 std::uint64_t key_of(Cell place) {
   return static_cast<std::uint64_t>(place.y + kMiddle) << 21 | static_cast<std::uint64_t>(place.x + kMiddle);
 }
 
-/// Those at the ground, by patch; within one as they were taken.
-std::vector<Return> returns_from_ground(const MapPoints& points, const GroundSurface& ground) {
+/// Those at the ground and up to half a metre over it, by patch; within one as they were taken.
+std::vector<Return> returns_by_patch(const MapPoints& points, const GroundSurface& ground) {
   std::vector<Return> returns;
   for (std::size_t i = 0; i < points.points.size(); ++i) {
     const Eigen::Vector3f& p = points.points[i];
     const GroundSurface::Place place = ground.at(p.x(), p.y());
-    if (!place.carried || std::fabs(p.z() - place.height) > GroundPatches::kGrass_m) continue;
-    returns.push_back({key_of(GroundPatches::place_of(p.x(), p.y())), static_cast<std::uint32_t>(i)});
+    const double above = p.z() - place.height;
+    if (!place.carried || above < -GroundPatches::kGrass_m || above > kStanding) continue;
+    returns.push_back({key_of(GroundPatches::place_of(p.x(), p.y())), static_cast<std::uint32_t>(i),
+                       above > GroundPatches::kGrass_m});
   }
   radix_sort_by_key(returns);
   return returns;
@@ -69,12 +74,20 @@ Eigen::Vector3d normal_at(const GroundSurface& ground, const Eigen::Vector3d& p)
   return Eigen::Vector3d(-dx, -dy, 2 * kAside) / std::sqrt(dx * dx + dy * dy + 4 * kAside * kAside);
 }
 
+/// Too few returns, or some of something that stands there, whose foot is no ground.
+bool tells_nothing(const Return* begin, const Return* end) {
+  const auto higher = std::count_if(begin, end, [](const Return& r) { return r.higher; });
+  return end - begin - higher < GroundPatches::kFewest ||
+         static_cast<double>(higher) > kMostHigher * static_cast<double>(end - begin);
+}
+
 GroundPatch measure(const MapPoints& points, const GroundSurface& ground, const Return* begin, const Return* end) {
   GroundPatch patch;
   const Eigen::Vector3d first = points.points[begin->point].cast<double>();
   std::vector<Eigen::Vector3d> around;
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (const Return* r = begin; r != end; ++r) {
+    if (r->higher) continue;
     around.push_back(points.points[r->point].cast<double>() - first);
     middle += around.back();
     patch.intensity += points.intensity[r->point];
@@ -90,7 +103,7 @@ GroundPatch measure(const MapPoints& points, const GroundSurface& ground, const 
   double squares = 0.0;
   for (const Eigen::Vector3d& p : around) squares += plane.residual(p) * plane.residual(p);
   patch.roughness_m = std::sqrt(squares / (n - 3.0)) * normal.z() / patch.cosine;
-  if (patch.roughness_m <= GroundPatches::kRoughest_m) patch.points = static_cast<int>(around.size());
+  patch.points = static_cast<int>(around.size());
   return patch;
 }
 
@@ -102,10 +115,10 @@ Cell GroundPatches::place_of(double x, double y) {
 
 GroundPatches::GroundPatches(const MapPoints& points, const GroundSurface& ground) {
   if (points.intensity.size() != points.points.size()) return;
-  const std::vector<Return> returns = returns_from_ground(points, ground);
+  const std::vector<Return> returns = returns_by_patch(points, ground);
   for (std::size_t begin = 0, end = 0; begin < returns.size(); begin = end) {
     for (end = begin + 1; end < returns.size() && returns[end].key == returns[begin].key;) ++end;
-    if (end - begin < static_cast<std::size_t>(kFewest)) continue;
+    if (tells_nothing(&returns[begin], returns.data() + end)) continue;
     const GroundPatch patch = measure(points, ground, &returns[begin], returns.data() + end);
     if (patch.points == 0) continue;
     const Eigen::Vector3f& p = points.points[returns[begin].point];

@@ -26,9 +26,8 @@ class GroundPatches {
  public:
   static constexpr double kSide = 0.4;     ///< Metres.
   static constexpr double kGrass_m = 0.1;  ///< Over and under the ground's surface: what belongs to it, with its grass.
-  static constexpr int kFewest = 6;        ///< Points.
-  static constexpr double kFlattest = 0.03;    ///< Cosine: flatter beams tell of nothing.
-  static constexpr double kRoughest_m = 0.08;  ///< Along the beam: rougher is an edge, or a thing.
+  static constexpr int kFewest = 6;        ///< Points, and none to speak of up to 0.5 m above: walls have feet.
+  static constexpr double kFlattest = 0.03;  ///< Cosine: flatter beams tell of nothing.
 
   /// Without intensities there are no patches.
   GroundPatches(const MapPoints& points, const GroundSurface& ground);

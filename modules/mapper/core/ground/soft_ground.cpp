@@ -7,6 +7,7 @@
 namespace scanway {
 namespace {
 
+constexpr double kRoughest = 1.6;  // deviations of the range: mown grass; edges are rougher, but so are blades
 constexpr double kTrusted = 20.0;  // points: a roughness of so many counts for half
 constexpr double kMostOdds = 8.0;  // log: a single patch does not outvote all around it
 
@@ -20,7 +21,7 @@ Softness softness_of(double log_odds) {
 SoftGroundModel::Values SoftGroundModel::values_of(const GroundPatch& patch, double range_sigma_m) {
   const double flat = repeatable::log(patch.cosine);
   const double trust = patch.points / (patch.points + kTrusted);
-  const double rough = trust * repeatable::log(std::max(patch.roughness_m / range_sigma_m, 0.1));
+  const double rough = trust * repeatable::log(std::clamp(patch.roughness_m / range_sigma_m, 0.5, kRoughest));
   return {1.0,         repeatable::log(std::max(patch.intensity, 1.0)), patch.range_m / 10.0, flat, flat * flat, rough,
           rough * flat};
 }

@@ -1,6 +1,8 @@
 // Soft ground as the mapper tells it against what the simulated worlds are made of.
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <iterator>
 #include <map>
 #include <string>
 #include <vector>
@@ -11,6 +13,7 @@ namespace scanway::bench {
 namespace {
 
 constexpr double kSigma = 0.01;  // of the simulated range
+constexpr double kEdge = 0.08;   // metres: rougher patches hold the foot of something, and are not fitted to
 constexpr int kSweeps = 3;
 const std::vector<std::string> kWorlds = {"yard", "car_park", "kerbs", "field", "street", "trench", "flat"};
 
@@ -63,7 +66,8 @@ int fit(std::uint64_t seeds, int thin) {
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
     for (const std::string& world : kWorlds) {
       const auto of_world = patches_of_world(world, seed, kSweeps, thin);
-      patches.insert(patches.end(), of_world.begin(), of_world.end());
+      std::copy_if(of_world.begin(), of_world.end(), std::back_inserter(patches),
+                   [](const JudgedPatch& judged) { return judged.patch.roughness_m < kEdge; });
     }
   }
   const SoftGroundModel model = fit_model(patches, kSigma);
@@ -77,10 +81,6 @@ int fit(std::uint64_t seeds, int thin) {
 }  // namespace scanway::bench
 
 int main(int argc, char** argv) {
-  if (argc == 5) {
-    for (const auto& j : scanway::bench::patches_of_world(argv[2], std::strtoull(argv[3], nullptr, 10), 3, std::atoi(argv[4]))) std::printf("%d %d %.2f %.4f %.2f %.4f\n", static_cast<int>(j.material), j.patch.points, j.patch.range_m, j.patch.cosine, j.patch.intensity, j.patch.roughness_m);
-    return 0;
-  }
   const std::string what = argc == 4 ? argv[1] : "";
   if (what == "fit") return scanway::bench::fit(std::strtoull(argv[2], nullptr, 10), std::atoi(argv[3]));
   if (what == "judge") return scanway::bench::judge(std::strtoull(argv[2], nullptr, 10), std::atoi(argv[3]));
