@@ -12,8 +12,6 @@ namespace {
 
 constexpr double kUnit = 1e-4;           // metres: of the ranges that returns are sorted by
 constexpr int kNoiseDeviations = 4;      // how far noise throws a return
-constexpr float kLow = 0.1f;             // metres: of a step
-constexpr double kFewDeviations = 2.0;   // so much nearer may a step begin that few returns show
 constexpr std::uint32_t kDominance = 4;  // a place with so many times the returns is the surface
 
 struct Keyed {
@@ -42,7 +40,7 @@ std::vector<Keyed> collect(const MapPoints& points, const GroundSurface& ground,
     }
     const int sector = polar::sector_of(static_cast<float>(p.x()), static_cast<float>(p.y()));
     returns.push_back({static_cast<std::uint64_t>(sector) << 32 | static_cast<std::uint64_t>(range / kUnit),
-                       {point.x(), point.y(), static_cast<float>(range), 0.0f, static_cast<float>(p.z()),
+                       {point.x(), point.y(), static_cast<float>(range), static_cast<float>(p.z()),
                         static_cast<float>(above), sector}});
   }
   radix_sort_by_key(returns);
@@ -96,10 +94,7 @@ std::vector<ObstacleReturn> obstacle_returns(const MapPoints& points, const Grou
   std::vector<ObstacleReturn> kept;
   kept.reserve(returns.size());
   for (std::size_t i = 0; i < returns.size(); ++i) {
-    if (greatest[i] >= kDominance * counts[i]) continue;
-    kept.push_back(returns[i].value);
-    if (counts[i] < kDominance && kept.back().above <= kLow)
-      kept.back().uncertainty = static_cast<float>(kFewDeviations * config.range_sigma_m);
+    if (greatest[i] < kDominance * counts[i]) kept.push_back(returns[i].value);
   }
   return kept;
 }

@@ -20,8 +20,7 @@ struct SweepViewConfig {
 /// A return from something that the robot's body would hit.
 struct ObstacleReturn {
   float x, y;         ///< In the map, metres.
-  float range;        ///< From the sensor, horizontally,
-  float uncertainty;  ///< and so much nearer it may be: few returns show where the thing begins.
+  float range;        ///< From the sensor, horizontally.
   float from_sensor;  ///< Its height over the sensor, metres; below it negative.
   float above;        ///< Its height over the local ground.
   int sector;         ///< polar::sector_of.

@@ -124,8 +124,7 @@ void SweepView::hide_behind(const std::vector<ObstacleReturn>& obstacles) {
                                : config_.max_range_m;
     const double depth = obstacle.from_sensor < -kLookOver ? kSparseDepth : kTallDepth;
     const double end = std::min({landing, obstacle.range + depth, config_.max_range_m - kBin});
-    const float begin = std::max(0.0f, obstacle.range - obstacle.uncertainty);
-    const int first = std::min(static_cast<int>(begin / kBin), bins_ - 1);
+    const int first = std::min(static_cast<int>(obstacle.range / kBin), bins_ - 1);
     const int last = std::max(first, static_cast<int>(end / kBin));
     ++edges[static_cast<std::size_t>(obstacle.sector) * bins_ + first];
     --edges[static_cast<std::size_t>(obstacle.sector) * bins_ + last + 1];
