@@ -1,8 +1,10 @@
 #include "common/cloud/write_cloud.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstring>
+#include <vector>
 
 #include "common/files/atomic_file.h"
 
@@ -12,50 +14,81 @@ namespace {
 static_assert(std::endian::native == std::endian::little);
 static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float));
 
-bool has_intensity(const PointCloud& cloud) { return !cloud.intensity.empty(); }
+struct Column {
+  std::string name;
+  const float* values;  ///< Of the first point.
+  std::size_t stride;   ///< Floats from one point to the next.
+};
 
-std::string pcd_header(const PointCloud& cloud) {
-  const std::string count = std::to_string(cloud.size());
-  const std::string fields = has_intensity(cloud)
-                                 ? "FIELDS x y z intensity\nSIZE 4 4 4 4\nTYPE F F F F\nCOUNT 1 1 1 1\n"
-                                 : "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\n";
-  return "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\n" + fields + "WIDTH " + count +
-         "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + count + "\nDATA binary\n";
+void add_vectors(const std::array<std::string, 3>& names, const std::vector<Eigen::Vector3f>& vectors,
+                 std::vector<Column>& columns) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    columns.push_back({names[axis], vectors.empty() ? nullptr : vectors.front().data() + axis, 3});
+  }
 }
 
-std::string ply_header(const PointCloud& cloud) {
-  return "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(cloud.size()) +
-         "\nproperty float x\nproperty float y\nproperty float z\n" +
-         (has_intensity(cloud) ? "property float intensity\n" : "") + "end_header\n";
+std::vector<Column> columns_of(const PointCloud& cloud, const std::array<std::string, 3>& normal) {
+  std::vector<Column> columns;
+  add_vectors({"x", "y", "z"}, cloud.points, columns);
+  if (!cloud.intensity.empty()) columns.push_back({"intensity", cloud.intensity.data(), 1});
+  if (!cloud.normals.empty()) add_vectors(normal, cloud.normals, columns);
+  return columns;
 }
 
-/// Rows of x y z [intensity], a block of rows at a time.
-void write_rows(AtomicFile& file, const PointCloud& cloud) {
+std::string pcd_header(const std::vector<Column>& columns, std::size_t points) {
+  std::string fields = "FIELDS", sizes = "SIZE", types = "TYPE", counts = "COUNT";
+  for (const Column& column : columns) {
+    fields += " " + column.name;
+    sizes += " 4";
+    types += " F";
+    counts += " 1";
+  }
+  const std::string number = std::to_string(points);
+  return "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\n" + fields + "\n" + sizes + "\n" + types + "\n" +
+         counts + "\nWIDTH " + number + "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + number + "\nDATA binary\n";
+}
+
+std::string ply_header(const std::vector<Column>& columns, std::size_t points) {
+  std::string header = "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(points) + "\n";
+  for (const Column& column : columns) header += "property float " + column.name + "\n";
+  return header + "end_header\n";
+}
+
+/// A row a point, a block of rows at a time.
+void write_rows(AtomicFile& file, const std::vector<Column>& columns, std::size_t points) {
   constexpr std::size_t kBlock = 65536;
-  const std::size_t columns = has_intensity(cloud) ? 4 : 3;
   std::string block;
-  for (std::size_t begin = 0; begin < cloud.size(); begin += kBlock) {
-    const std::size_t end = std::min(cloud.size(), begin + kBlock);
-    block.resize((end - begin) * columns * sizeof(float));
-    char* row = block.data();
-    for (std::size_t i = begin; i < end; ++i, row += columns * sizeof(float)) {
-      std::memcpy(row, cloud.points[i].data(), 3 * sizeof(float));
-      if (columns == 4) std::memcpy(row + 3 * sizeof(float), &cloud.intensity[i], sizeof(float));
+  for (std::size_t begin = 0; begin < points; begin += kBlock) {
+    const std::size_t end = std::min(points, begin + kBlock);
+    block.resize((end - begin) * columns.size() * sizeof(float));
+    char* to = block.data();
+    for (std::size_t i = begin; i < end; ++i) {
+      for (const Column& column : columns) {
+        std::memcpy(to, column.values + i * column.stride, sizeof(float));
+        to += sizeof(float);
+      }
     }
     file.write(block);
   }
 }
 
-void write(const std::string& path, const std::string& header, const PointCloud& cloud) {
+void write(const std::string& path, const std::string& header, const std::vector<Column>& columns, std::size_t points) {
   AtomicFile file(path);
   file.write(header);
-  write_rows(file, cloud);
+  write_rows(file, columns, points);
   file.commit();
 }
 
 }  // namespace
 
-void write_pcd(const std::string& path, const PointCloud& cloud) { write(path, pcd_header(cloud), cloud); }
-void write_ply(const std::string& path, const PointCloud& cloud) { write(path, ply_header(cloud), cloud); }
+void write_pcd(const std::string& path, const PointCloud& cloud) {
+  const std::vector<Column> columns = columns_of(cloud, {"normal_x", "normal_y", "normal_z"});
+  write(path, pcd_header(columns, cloud.size()), columns, cloud.size());
+}
+
+void write_ply(const std::string& path, const PointCloud& cloud) {
+  const std::vector<Column> columns = columns_of(cloud, {"nx", "ny", "nz"});
+  write(path, ply_header(columns, cloud.size()), columns, cloud.size());
+}
 
 }  // namespace scanway

@@ -8,6 +8,7 @@ namespace scanway {
 namespace {
 
 constexpr std::array<std::string_view, 2> kEmbodiments = {"footprint", "paper"};
+constexpr std::array<std::string_view, 3> kVegetation = {"ignore", "pass", "avoid"};
 constexpr std::array<std::string_view, 3> kUnknownPolicies = {"never", "price", "free"};
 
 void describe(Fields& fields, Robot::Body& body) {
@@ -74,6 +75,7 @@ void describe(Fields& fields, Robot::Mapping& mapping) {
   fields.boolean("octomap_discretize", mapping.octomap_discretize);
   fields.boolean("paper_projection", mapping.paper_projection);
   fields.enumeration("embodiment", mapping.embodiment, kEmbodiments);
+  fields.enumeration("vegetation", mapping.vegetation, kVegetation);
   fields.end_section();
 }
 

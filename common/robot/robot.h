@@ -16,6 +16,13 @@ enum class Embodiment {
   paper,      ///< The paper's: exp(-(dx^2 + dy^2) / 2) in cells, accumulated over all obstacles within 29 cells.
 };
 
+/// What is made of low, soft vegetation, which a scan tells from hard ground by its remission and its roughness.
+enum class Vegetation {
+  ignore,  ///< Nothing: it is not told from other ground.
+  pass,    ///< The robot drives through it: returns of what is no higher than grass are no obstacles there.
+  avoid,   ///< The robot stays off it: soft ground is occupied.
+};
+
 /// What a plan may do with cells that nobody has seen.
 enum class UnknownPolicy { never, price, free };
 
@@ -87,6 +94,7 @@ struct Robot {
     bool octomap_discretize = true;
     bool paper_projection = false;  ///< The paper's cost map: a cell without an obstacle point is free.
     Embodiment embodiment = Embodiment::footprint;
+    Vegetation vegetation = Vegetation::ignore;
     bool operator==(const Mapping&) const = default;
   } mapping;
 

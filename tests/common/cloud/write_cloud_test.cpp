@@ -50,6 +50,25 @@ TEST(WriteCloud, WritesTheseBytes) {
                 row);
 }
 
+TEST(WriteCloud, WritesNormalsAfterTheRest) {
+  const test::ScratchFolder folder;
+  PointCloud cloud;
+  cloud.points = {{1.0f, 2.0f, 3.0f}};
+  cloud.normals = {{0.0f, 0.0f, 1.0f}};
+  const std::string row = little(1.0f) + little(2.0f) + little(3.0f) + little(0.0f) + little(0.0f) + little(1.0f);
+  write_pcd(folder / "a.pcd", cloud);
+  EXPECT_EQ(test::read_text(folder / "a.pcd"),
+            "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z normal_x normal_y normal_z\n"
+            "SIZE 4 4 4 4 4 4\nTYPE F F F F F F\nCOUNT 1 1 1 1 1 1\nWIDTH 1\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\n"
+            "POINTS 1\nDATA binary\n" +
+                row);
+  write_ply(folder / "a.ply", cloud);
+  EXPECT_EQ(test::read_text(folder / "a.ply"),
+            "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+            "property float z\nproperty float nx\nproperty float ny\nproperty float nz\nend_header\n" +
+                row);
+}
+
 TEST(WriteCloud, SaysWhereItCannotWrite) {
   const test::ScratchFolder folder;
   const std::string path = write_file_in(folder, "file", "") + "/map.pcd";

@@ -186,6 +186,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"laser: {beams: 2.5}", "laser.beams (line 1) must be a whole number from 2 to 100000, not '2.5'"},
         Fault{"mapping: {octomap_discretize: maybe}", "must be true or false, not 'maybe'"},
         Fault{"mapping: {embodiment: ghost}", "must be footprint or paper, not 'ghost'"},
+        Fault{"mapping: {vegetation: eat}", "must be ignore or pass or avoid, not 'eat'"},
         Fault{"planning:\n  unknown: sometimes", "planning.unknown (line 2) must be never or price or free"},
         Fault{"mounts: {base_mount: {position_m: [1, 2]}}", "must be a list of 3 numbers"},
         Fault{"body:\n  height_m: 1\n  height_m: 2", "body.height_m (line 3) stands twice"},
