@@ -15,9 +15,10 @@ import math
 
 # Of the coefficients' normal prior: separable classes must not give infinite certainty. The first, a constant, is free.
 PRIOR_PRECISION, FREE = 0.5, 1e-3
+REAL_COUNTS = 2  # a pair of a real set, of which there are few, as much as so many simulated ones
 ACCEPTED = 0.85
 MIN_OVERLAP, MAX_CONFLICT, OPEN_PROBABILITY = 0.3, 0.06, 0.2  # as in verdict.cpp
-PLACE = ["1", "log conflict", "surface fit", "log held fit", "margin with tracker", "margin without"]
+PLACE = ["1", "log conflict", "surface fit", "log held fit", "margin", "small margin with tracker", "without tracker"]
 PRECISE = ["1", "log sigma", "log matches"]
 
 
@@ -46,7 +47,7 @@ def place_features(r):
     """As in verdict.cpp."""
     margin = max(-5.0, min(5.0, r["margin"]))
     return [1.0, math.log(r["conflict"] + 0.003), r["surface_fit"], math.log(r["held_fit"] + 0.01),
-            margin * r["tracker"], margin * (1.0 - r["tracker"])]
+            margin, min(margin, 1.0) * r["tracker"], 1.0 - r["tracker"]]
 
 
 def precise_features(r):
@@ -61,7 +62,7 @@ def succession(n):
 
 def probability(models, r):
     place, precise = models
-    placed = min(sigmoid(dot(place, place_features(r))), succession(r["facing"]))
+    placed = min(sigmoid(dot(place, place_features(r))), succession(r["facing"]), sigmoid(r["margin"]))
     return placed * sigmoid(dot(precise, precise_features(r)))
 
 
@@ -190,7 +191,7 @@ def read(paths):
 
 
 def fit_both(rows):
-    judged = [r for r in rows if not undecided(r)]
+    judged = [r for r in rows for _ in range(REAL_COUNTS if r["set"].startswith("real") else 1) if not undecided(r)]
     return (fit([(place_features(r), float(in_place(r))) for r in judged]),
             fit([(precise_features(r), r["right"]) for r in judged if in_place(r)]))
 

@@ -15,11 +15,13 @@ namespace {
 constexpr double kAcceptedProbability = 0.85;
 constexpr double kOpenProbability = 0.2;  // with an open direction: the share that was right all the same
 constexpr double kOpenShare = 0.010;      // of the information: the noise of normals alone gives up to 0.009
-constexpr double kMinFacing = 8.0;        // surfaces that face a direction: what little is known of it is then no noise
+constexpr double kMinFacing = 16.0;       // surfaces that face a direction: what little is known of it is then no noise
 constexpr double kOpenLever = 0.4;   // metres: at this lever surfaces that are 3 mm off turn the scan by 0.4 degrees
 constexpr double kMinOverlap = 0.3;  // below, too little of either scan bears the answer
 
 constexpr double kMaxConflict = 0.06;  // things that moved between two scans make up to half of it
+
+constexpr double kTrackedMargin = 1.0;  // with a tracker all rivals are found: a larger margin says no more
 
 constexpr double kRightMetres = 0.1, kRightRadians = 0.5 * repeatable::kPi / 180.0;
 
@@ -67,16 +69,18 @@ double rank_of(const Evidence& e) {
   return -10.542 + 2.543 * e.agreement.surface_fit - 2.494 * repeatable::log(e.agreement.conflict + 0.003);
 }
 
-// Both models fitted by tests/bench/registration/fit_verdict.py. Without a tracker the margin says little: a hall
-// turned by half a turn may fit well where the right pose shows too little to be found.
+// Both models fitted by tests/bench/registration/fit_verdict.py. Without a tracker the margin says less: a hall turned
+// by half a turn may fit well where the right pose shows too little to be found. Of two poses that exclude each other
+// the better cannot be surer than the margin, which is in log-odds.
 double probability_right(const Evidence& e) {
   const double margin = std::clamp(e.margin, -kMaxMargin, kMaxMargin);
-  const double place = -13.71 - 3.07 * repeatable::log(e.agreement.conflict + 0.003) + 0.57 * e.agreement.surface_fit -
-                       0.79 * repeatable::log(e.held_fit + 0.01) + (e.tracked ? 2.19 : 0.17) * margin;
+  const double place = -12.18 - 2.00 * repeatable::log(e.agreement.conflict + 0.003) + 0.33 * e.agreement.surface_fit -
+                       1.10 * repeatable::log(e.held_fit + 0.01) + 1.04 * margin +
+                       (e.tracked ? 3.06 * std::min(margin, kTrackedMargin) : -0.34);
   const double sigma = std::max(e.sigma_m / kRightMetres, e.sigma_rad / kRightRadians);
-  const double precise = -6.49 - 1.88 * repeatable::log(std::min(sigma, 10.0) + 0.003) +
-                         1.51 * repeatable::log(static_cast<double>(e.matches) + 1.0);
-  return std::min(logistic(place), succession(e.facing)) * logistic(precise);
+  const double precise = -6.06 - 2.22 * repeatable::log(std::min(sigma, 10.0) + 0.003) +
+                         1.42 * repeatable::log(static_cast<double>(e.matches) + 1.0);
+  return std::min({logistic(place), succession(e.facing), logistic(e.margin)}) * logistic(precise);
 }
 
 Observability observe(const IcpResult& icp) {

@@ -31,8 +31,9 @@ struct Evidence {
 double rank_of(const Evidence& evidence);
 
 /// The probability that the pose is right within 0.1 m and 0.5 degrees: that it is the right one of the places that
-/// look alike, by how well the scans agree there and elsewhere, times that it is precise enough, by the last step, and
-/// never surer than the number of surfaces allows that hold it where it is held least.
+/// look alike, by how well the scans agree there and elsewhere, times that it is precise enough, by the last step. It
+/// is never surer than the second-best pose allows, nor than the number of surfaces that hold it where it is held
+/// least.
 double probability_right(const Evidence& evidence);
 
 /// What the matched surfaces know of each motion while all others are free.

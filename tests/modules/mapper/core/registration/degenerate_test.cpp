@@ -12,7 +12,11 @@ namespace {
 
 using registration::random_point;
 
-PointCloud cloud_of(registration::Points points) { return {std::move(points), {}}; }
+PointCloud cloud_of(registration::Points points) {
+  PointCloud cloud;
+  cloud.points = std::move(points);
+  return cloud;
+}
 
 RegistrationResult register_clouds(const PointCloud& source, const PointCloud& target,
                                    const Eigen::Vector3d& origin = Eigen::Vector3d::Zero(),
