@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "common/picture/pictures.h"
-#include "modules/replay/map_products.h"
+#include "modules/mapper/saving/map_products.h"
 
 namespace scanway {
 namespace {

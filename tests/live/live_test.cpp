@@ -46,6 +46,41 @@ TEST_F(Live, ALogPlayedIntoProcessesGivesWhatReplayGives) {
   EXPECT_EQ(lines_of(session_.text("replayed.txt"), ""), lines_of(ShortLog::get().products, ""));
 }
 
+TEST_F(Live, AnOperatorKeepsTheMapAndWithdrawsASweepAndTheLogIsVerified) {
+  const auto played = session_.run(R"(
+    begin mapper --maps "$WORK/maps"
+    begin planner
+    observe 2 120
+    record "$WORK/recorded.lcmlog"
+    lcm-logplayer -s 4 "$LOG" || exit 1
+    wait $pid_observer || exit 1
+    order() { "$BIN/scanway" map "$@" >>"$WORK/orders.txt" 2>&1; echo "$?" >>"$WORK/orders.txt"; }
+    order keep both
+    order withdraw scan001
+    order withdraw scan001
+    order keep one
+    order keep ../elsewhere
+    sleep 3
+    end_record || exit 1
+    kill -TERM $pid_mapper $pid_planner
+    wait $pid_mapper $pid_planner
+    "$BIN/scanway" map check "$WORK/maps/both" >/dev/null || exit 1
+    "$BIN/scanway" map save "$WORK/maps/one" -o "$WORK/loaded" >/dev/null || exit 1
+    for product in map.pcd map.ot costmap.pgm trajectory.tum; do
+      cmp "$WORK/maps/one/$product" "$WORK/loaded/$product" >&2 || exit 1
+    done
+    "$BIN/scanway" replay --verify "$WORK/recorded.lcmlog" >"$WORK/verified.txt" 2>"$WORK/remarks.txt")");
+  EXPECT_EQ(played.status, 0) << played.err << session_.told() << session_.text("verified.txt");
+  EXPECT_EQ(
+      session_.text("orders.txt"),
+      "both is saved: map version 2\n0\nscan001 is withdrawn: map version 3\n0\n"
+      "scan001 stays: The map holds no sweep of that name.\n1\none is saved: map version 3\n0\n"
+      "../elsewhere is not saved: a map's name is that of one folder: without a / and not beginning with a dot\n1\n");
+  EXPECT_EQ(read_text(session_ / "maps/both/map.ot"), read_text(ShortLog::get().folder / "replay/map.ot"));
+  EXPECT_EQ(session_.text("verified.txt"), "");
+  EXPECT_NE(session_.text("remarks.txt").find("verified: "), std::string::npos) << session_.text("remarks.txt");
+}
+
 TEST_F(Live, TwoMachinesAgree) {
   const auto played = session_.run_on_lan({"-t", "200"}, {R"(
     begin mapper

@@ -30,7 +30,9 @@ bool is_certain(const RegistrationResult& registration, std::size_t asked) {
 
 /// The sweep that says how its tracker's heading lies in the map: the target itself, or the newest of its session.
 const PlacedSweep* known_heading(const PlacedSweep& sweep, const std::vector<PlacedSweep>& map, std::size_t target) {
-  const auto tells = [&](const PlacedSweep& other) { return other.session == sweep.session && other.R_world_sweep; };
+  const auto tells = [&](const PlacedSweep& other) {
+    return other.session == sweep.session && other.R_world_sweep && !other.withdrawn;
+  };
   if (tells(map[target])) return &map[target];
   const auto newest = std::find_if(map.rbegin(), map.rend(), tells);
   return newest == map.rend() ? nullptr : &*newest;

@@ -24,6 +24,7 @@ struct PlacedSweep {
   int session = 0;  ///< Trackers of two sessions share no heading.
   Pose X_map_sweep = Pose::Identity();
   bool stood_still = false;  ///< The robot, while it was taken, as another sweep confirms.
+  bool withdrawn = false;    ///< Nothing is registered to it any more.
 };
 
 /// Where the tracker says that up is, in the sweep's frame.
@@ -50,7 +51,7 @@ class Locator {
  public:
   Locator(const Robot& robot, const RegistrationConfig& config) : tracker_(robot.tracker), config_(config) {}
 
-  /// `map` must not be empty.
+  /// `map` must hold a sweep that is not withdrawn.
   Location locate(const PlacedSweep& sweep, const std::vector<PlacedSweep>& map, StageListener* stages) const;
 
  private:

@@ -125,6 +125,7 @@ MapChange Map::close_version(Projection projection, StageListener* stages) {
   MapChange change;
   change.ground = std::move(projection.ground);
   change.changed_tiles = embody(cost_map_, robot_, robot_.mapping.embodiment, projection.changed_tiles);
+  change.changed_cloud = cloud_.take_changed_tiles();
   change.version = ++version_;
   begin_stage(stages, "");
   return change;

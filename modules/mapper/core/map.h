@@ -24,8 +24,9 @@ namespace scanway {
 
 struct MapChange {
   GroundReport ground;
-  std::vector<Cell> changed_tiles;  ///< Of the cost map, in order; tiles that went away included.
-  std::uint64_t version = 0;        ///< The closed version of the cost map that this change made.
+  std::vector<Cell> changed_tiles;                    ///< Of the cost map, in order; tiles that went away included.
+  std::vector<VoxelCloud::TileNumber> changed_cloud;  ///< Tiles of the cloud, in order; emptied ones included.
+  std::uint64_t version = 0;                          ///< The closed version of the cost map that this change made.
 };
 
 /// Where a sweep of the map belongs from now on.

@@ -69,6 +69,7 @@ Withdrawal Mapper::withdraw(const std::string& name, StageListener* stages) {
   for (std::size_t i = trajectory_.size(); i-- > 0;) {
     if (trajectory_[i].withdrawn || graph_.sweeps()[i].name != name) continue;
     trajectory_[i].withdrawn = withdrawal.done = true;
+    graph_.withdraw(i);
     withdrawal.change = map_.withdraw(i, stages);
     return withdrawal;
   }
@@ -84,7 +85,7 @@ SweepResult Mapper::place(const Sweep& sweep, StageListener* stages) {
   placed.origin = sweep.origin;
   placed.R_world_sweep = sweep.R_world_sweep;
   placed.session = session_;
-  return trajectory_.empty() ? place_first(sweep, std::move(placed)) : place_among(sweep, std::move(placed), stages);
+  return graph_.empty() ? place_first(sweep, std::move(placed)) : place_among(sweep, std::move(placed), stages);
 }
 
 SweepResult Mapper::place_first(const Sweep& sweep, PlacedSweep placed) {

@@ -71,7 +71,7 @@ class Mapper {
   SweepResult add(const Sweep& sweep, StageListener* stages = nullptr);
 
   /// Takes the newest sweep of that name out of every product, as if it had never been there; the poses of the others
-  /// stay. In the graph it goes on holding its neighbours together, and what comes may be registered to it.
+  /// stay. Nothing is registered to it any more, and from the next sweep on it holds no pose (see SweepGraph).
   Withdrawal withdraw(const std::string& name, StageListener* stages = nullptr);
 
   /// The map goes on with sweeps of another session, after the robot was moved or its tracker started again: the first

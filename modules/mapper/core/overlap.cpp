@@ -29,10 +29,11 @@ void keep_best(Ranked& ranked, std::size_t count) {
   if (ranked.size() > count) ranked.resize(count);
 }
 
-/// The sweeps nearest to a place.
+/// The sweeps nearest to a place, without those that are withdrawn.
 Ranked nearest_to(const Eigen::Vector3d& place, const std::vector<PlacedSweep>& map, std::size_t count) {
   Ranked nearest;
   for (std::size_t i = 0; i < map.size(); ++i) {
+    if (map[i].withdrawn) continue;
     nearest.emplace_back(-(map[i].X_map_sweep * map[i].origin - place).norm(), i);
   }
   keep_best(nearest, count);
@@ -48,7 +49,9 @@ std::vector<std::size_t> numbers_of(const Ranked& ranked) {
 }  // namespace
 
 std::vector<std::size_t> nearest_to_last(const std::vector<PlacedSweep>& map, std::size_t count) {
-  return numbers_of(nearest_to(map.back().X_map_sweep * map.back().origin, map, count));
+  const PlacedSweep& last =
+      *std::find_if(map.rbegin(), map.rend(), [](const PlacedSweep& sweep) { return !sweep.withdrawn; });
+  return numbers_of(nearest_to(last.X_map_sweep * last.origin, map, count));
 }
 
 std::vector<std::size_t> most_overlapping(const PlacedSweep& sweep, const Pose& X_map_sweep,

@@ -1,5 +1,7 @@
 #include "modules/mapper/core/placement_reason.h"
 
+#include <algorithm>
+
 namespace scanway {
 namespace {
 
@@ -32,11 +34,13 @@ std::string said_of_links(const std::vector<Link>& links, const SweepGraph& grap
 std::string said_of_refusal(const Location& location, const std::vector<PlacedSweep>& map, bool continued) {
   const std::string& reason = location.refusal->reason;
   if (!continued && location.searched == 1) return reason;
-  const bool all = location.searched == map.size();
+  const auto standing = static_cast<std::size_t>(
+      std::count_if(map.begin(), map.end(), [](const PlacedSweep& sweep) { return !sweep.withdrawn; }));
+  const bool all = location.searched == standing;
   std::string said = continued ? "Not found in the map that it should continue" : "Not found in the map";
   said += all ? ", at none of its " : ", at none of the ";
   said += std::to_string(location.searched) + " sweeps";
-  if (!all) said += " that lie nearest to the last one, of " + std::to_string(map.size());
+  if (!all) said += " that lie nearest to the last one, of " + std::to_string(standing);
   return said + "; at " + map[*location.refused_by].name + ": " + reason;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "modules/mapper/core/graph/seams.h"
+
 namespace scanway {
 namespace {
 
@@ -39,20 +41,28 @@ GraphEdge SweepGraph::edge_of(const PlacedSweep& sweep, std::size_t node, const 
 }
 
 void SweepGraph::begin(PlacedSweep sweep) {
-  graph_.nodes = {node_of(sweep)};
-  sweeps_ = {std::move(sweep)};
+  graph_.nodes.push_back(node_of(sweep));
+  solution_.poses.push_back(graph_.nodes.back().X_map_sensor);
+  if (!sweeps_.empty()) {
+    graph_.edges.push_back(seam_between(0, sweeps_.size(), graph_));
+    solution_.chi_squared.push_back(0.0);
+    solution_.dropped.push_back(false);
+  }
+  sweeps_.push_back(std::move(sweep));
 }
 
 bool SweepGraph::add(PlacedSweep sweep, const std::vector<Link>& links) {
   PoseGraph graph = graph_;
+  GraphSolution before = solution_;
   const std::size_t node = sweeps_.size();
   graph.nodes.push_back(node_of(sweep));
   for (const Link& link : links) graph.edges.push_back(edge_of(sweep, node, link));
+  release_seams(graph, before);
   GraphSolution solution = solve(graph);
   const auto ours = solution.dropped.end() - static_cast<std::ptrdiff_t>(links.size());
   if (std::all_of(ours, solution.dropped.end(), [](bool dropped) { return dropped; })) return false;
 
-  exposed_ = newly_dropped(solution_, solution);
+  exposed_ = newly_dropped(before, solution);
   graph_ = std::move(graph);
   solution_ = std::move(solution);
   sweeps_.push_back(std::move(sweep));
@@ -60,6 +70,16 @@ bool SweepGraph::add(PlacedSweep sweep, const std::vector<Link>& links) {
     sweeps_[i].X_map_sweep = solution_.poses[i] * Eigen::Translation3d(-sweeps_[i].origin);
   }
   return true;
+}
+
+void SweepGraph::withdraw(std::size_t sweep) {
+  sweeps_[sweep].withdrawn = true;
+  take_out(sweep, graph_, solution_);
+  exposed_.clear();
+}
+
+bool SweepGraph::empty() const {
+  return std::all_of(sweeps_.begin(), sweeps_.end(), [](const PlacedSweep& sweep) { return sweep.withdrawn; });
 }
 
 }  // namespace scanway

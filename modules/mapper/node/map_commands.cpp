@@ -1,15 +1,22 @@
 #include "modules/mapper/node/map_commands.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "common/messages/bad_message.h"
 #include "common/messages/codec.h"
 
 namespace scanway {
 
+void MapCommands::use(std::vector<map_answer_t> answers) {
+  std::erase_if(answers, [](const map_answer_t& answer) { return answer.answered.command != map_command_t::WITHDRAW; });
+  answers_ = std::move(answers);
+}
+
 std::optional<map_command_t> MapCommands::take(const BusMessage& message) {
   auto command = decode<map_command_t>(message.bytes);
-  if (command.command != map_command_t::WITHDRAW) throw BadMessage("a command that is not known");
+  const bool is_known = command.command == map_command_t::WITHDRAW || command.command == map_command_t::SAVE;
+  if (!is_known) throw BadMessage("a command that is not known");
   const bool answered = std::any_of(answers_.begin(), answers_.end(), [&](const map_answer_t& answer) {
     return name_of(answer.answered) == name_of(command);
   });

@@ -18,7 +18,8 @@ namespace scanway {
 /// that was answered is carried out where it was then, between the same two sweeps, whenever it comes.
 class MapCommands {
  public:
-  void use(std::vector<map_answer_t> answers) { answers_ = std::move(answers); }
+  /// Of the answers only those to commands that change the map.
+  void use(std::vector<map_answer_t> answers);
 
   /// The command of a message, if it is to be carried out now. Throws BadMessage.
   std::optional<map_command_t> take(const BusMessage& message);

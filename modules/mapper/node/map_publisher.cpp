@@ -1,5 +1,6 @@
 #include "modules/mapper/node/map_publisher.h"
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <string>
@@ -21,15 +22,36 @@ namespace {
 constexpr double kCubeSide = 4.0;  // metres: some ten thousand points indoors
 constexpr const char* kOctomapKey = "map";
 
+/// Where no point of a tile has an intensity, and some of another have, theirs is 0.
 void add_point(cloud_tile_t& tile, const PointCloud& cloud, std::size_t i) {
+  if (!cloud.intensity.empty()) {
+    tile.intensity.resize(tile.x.size());
+    tile.intensity.push_back(cloud.intensity[i]);
+  }
   tile.x.push_back(cloud.points[i].x());
   tile.y.push_back(cloud.points[i].y());
   tile.z.push_back(cloud.points[i].z());
-  if (!cloud.intensity.empty()) tile.intensity.push_back(cloud.intensity[i]);
 }
 
-std::int32_t cube_index(float coordinate) {
-  return static_cast<std::int32_t>(std::floor(static_cast<double>(coordinate) / kCubeSide));
+std::int32_t cube_index(double coordinate) { return static_cast<std::int32_t>(std::floor(coordinate / kCubeSide)); }
+
+using Cube = std::tuple<std::int32_t, std::int32_t, std::int32_t>;
+
+Cube cube_of(const Eigen::Vector3d& p) { return {cube_index(p.x()), cube_index(p.y()), cube_index(p.z())}; }
+
+/// The cubes that may have points of a tile: a centroid can be rounded over its border.
+std::vector<Cube> cubes_over(const VoxelCloud& cloud, VoxelCloud::TileNumber tile) {
+  const Eigen::AlignedBox3d box = cloud.box_of(tile);
+  const Eigen::Vector3d margin = Eigen::Vector3d::Constant(cloud.voxel_m());
+  const auto [low_x, low_y, low_z] = cube_of(box.min() - margin);
+  const auto [high_x, high_y, high_z] = cube_of(box.max() + margin);
+  std::vector<Cube> cubes;
+  for (std::int32_t x = low_x; x <= high_x; ++x) {
+    for (std::int32_t y = low_y; y <= high_y; ++y) {
+      for (std::int32_t z = low_z; z <= high_z; ++z) cubes.emplace_back(x, y, z);
+    }
+  }
+  return cubes;
 }
 
 }  // namespace
@@ -38,7 +60,7 @@ void MapPublisher::publish(const Map& map, const MapChange& change, Utime utime)
   const auto version = static_cast<std::int64_t>(change.version);
   publish_tiles(map.cost_map(), change, utime);
   close_version(map.cost_map(), version, utime);
-  publish_cloud(map.cloud(), version, utime);
+  publish_cloud(map.cloud(), change, utime);
   publish_octomap(map.occupancy_tree(), version, utime);
 }
 
@@ -46,6 +68,7 @@ void MapPublisher::publish_whole(const Map& map, Utime utime) {
   MapChange all;
   all.version = map.version();
   for (const auto& [tile, content] : map.cost_map().tiles) all.changed_tiles.push_back(tile);
+  all.changed_cloud = map.cloud().tiles();
   publish(map, all, utime);
 }
 
@@ -75,18 +98,25 @@ void MapPublisher::close_version(const CostMap& map, std::int64_t version, Utime
   publish_object(bus_, channel::kCostMapIndex, encode(index), kCostMapIndexKey, version, utime);
 }
 
-void MapPublisher::publish_cloud(const VoxelCloud& cloud, std::int64_t version, Utime utime) {
-  const PointCloud points = cloud.centroids();
+/// Tiles and cubes do not share borders: the cubes over a tile that changed have points of others, too.
+void MapPublisher::publish_cloud(const VoxelCloud& cloud, const MapChange& change, Utime utime) {
   std::map<Cube, cloud_tile_t> cubes;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Eigen::Vector3f& p = points.points[i];
-    add_point(cubes[{cube_index(p.x()), cube_index(p.y()), cube_index(p.z())}], points, i);
+  for (const VoxelCloud::TileNumber tile : change.changed_cloud) {
+    for (const Cube& cube : cubes_over(cloud, tile)) cubes[cube];
   }
-  for (const auto& [cube, content] : cubes_) cubes[cube];  // One that has no point any more is empty now.
-  const double voxel_m = cloud.voxel_m();
-  for (auto& [cube, tile] : cubes) {
-    tile.voxel_m = voxel_m;
-    publish_cube(cube, tile, version, utime);
+  for (const VoxelCloud::TileNumber tile : cloud.tiles()) {
+    const std::vector<Cube> over = cubes_over(cloud, tile);
+    if (std::none_of(over.begin(), over.end(), [&cubes](const Cube& cube) { return cubes.contains(cube); })) continue;
+    const PointCloud points = cloud.centroids_of(tile);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const auto cube = cubes.find(cube_of(points.points[i].cast<double>()));
+      if (cube != cubes.end()) add_point(cube->second, points, i);
+    }
+  }
+  for (auto& [cube, content] : cubes) {
+    if (content.x.empty() && !cubes_.contains(cube)) continue;
+    content.voxel_m = cloud.voxel_m();
+    publish_cube(cube, content, static_cast<std::int64_t>(change.version), utime);
   }
 }
 
@@ -94,6 +124,7 @@ void MapPublisher::publish_cube(const Cube& cube, cloud_tile_t& tile, std::int64
   std::tie(tile.cube[0], tile.cube[1], tile.cube[2]) = cube;
   tile.cube_side_m = kCubeSide;
   tile.npoints = static_cast<std::int32_t>(tile.x.size());
+  if (!tile.intensity.empty()) tile.intensity.resize(tile.x.size());
   tile.nintensities = static_cast<std::int32_t>(tile.intensity.size());
   // Without time and version, so that a cube that did not change has the digest that it had.
   const std::uint64_t content = digest(encode(tile));

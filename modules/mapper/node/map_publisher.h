@@ -31,7 +31,7 @@ class MapPublisher {
 
   void publish_tiles(const CostMap& map, const MapChange& change, Utime utime);
   void close_version(const CostMap& map, std::int64_t version, Utime utime);
-  void publish_cloud(const VoxelCloud& cloud, std::int64_t version, Utime utime);
+  void publish_cloud(const VoxelCloud& cloud, const MapChange& change, Utime utime);
   void publish_cube(const Cube& cube, cloud_tile_t& tile, std::int64_t version, Utime utime);
   void publish_octomap(const OccupancyTree& tree, std::int64_t version, Utime utime);
 

@@ -56,6 +56,9 @@ class MapperNode {
   void expect(SweepOrigin origin);
   /// `finished` is told of each sweep, by its name and time, when all of its products are published.
   void on_finished(std::function<void(std::string_view, Utime)> finished) { finished_ = std::move(finished); }
+  /// `save` saves the map under a name when a command asks for it, or throws InputError. Without it (in replay) such
+  /// commands are not answered.
+  void on_save(std::function<void(const std::string& name)> save) { save_ = std::move(save); }
 
   /// Works on the sweeps that `store` holds, and on the map that it continues, and keeps those that come in it from now
   /// on. It must outlive this.
@@ -105,6 +108,9 @@ class MapperNode {
   void take_command(const BusMessage& message);
   void carry_out_due();
   void carry_out(const map_command_t& command);
+  void withdraw(const map_command_t& command);
+  void save(const map_command_t& command);
+  void answer(const map_command_t& command, std::uint64_t version, const std::string& refusal);
   void keep(const map_command_t& command);
   void work_on_session(const SweepStore& map);
   void work_on_kept(const std::string& log);
@@ -131,6 +137,7 @@ class MapperNode {
   ListedOrientations listed_;
   std::map<std::uint64_t, Orientation> listed_arrived_;  // By the digest of the message.
   std::function<void(std::string_view, Utime)> finished_;
+  std::function<void(const std::string&)> save_;
   const SweepStore* store_ = nullptr;
   std::string store_trouble_;
   bool silent_ = false;  // At work on the sweeps of another session.

@@ -7,6 +7,8 @@
 #include <optional>
 
 #include "common/bus/channels.h"
+#include "common/files/input_error.h"
+#include "common/files/printable.h"
 #include "common/messages/codec.h"
 #include "common/process/params_teller.h"
 #include "common/process/process_bus.h"
@@ -15,6 +17,8 @@
 #include "modules/mapper/node/arrival_keeper.h"
 #include "modules/mapper/node/mapper_node.h"
 #include "modules/mapper/node/sweep_assembler.h"
+#include "modules/mapper/saving/map_folder.h"
+#include "modules/mapper/saving/map_products.h"
 
 namespace scanway {
 namespace {
@@ -45,7 +49,28 @@ void tell_health(LiveBus& bus, const MapperNode& node, const SweepAssembler& ass
   bus.report(std::move(counters), of_assembler + (both ? "; " : "") + of_node);
 }
 
-int run(const ProgramOptions& options, const std::string& resumed) {
+/// Saves the map as a folder of that name in `maps`. Throws InputError.
+void save_map(const std::string& maps, const std::string& name, const SweepStore* sweeps, const MapperNode& node,
+              const Robot& robot) {
+  if (maps.empty() || sweeps == nullptr) {
+    throw InputError("this mapper keeps no maps: start it with --maps DIR and --state DIR");
+  }
+  if (name.empty() || name.front() == '.' || name.find('/') != std::string::npos) {
+    throw InputError("a map's name is that of one folder: without a / and not beginning with a dot");
+  }
+  MapSave save(maps + "/" + name);
+  save.sweeps().take_over(*sweeps);
+  write_map_products(node, save.files());
+  save.commit(robot);
+  spdlog::info("map version {} is saved in {}", node.mapper().map().version(), printable(maps + "/" + name));
+}
+
+struct MapFolders {
+  std::string resumed;  ///< --resume
+  std::string maps;     ///< --maps
+};
+
+int run(const ProgramOptions& options, const MapFolders& folders) {
   const Robot robot = robot_of(options);
   const Identity who = this_process("mapper");
   LiveBusOptions live = live_bus_options(options);
@@ -60,7 +85,7 @@ int run(const ProgramOptions& options, const std::string& resumed) {
     live.tap = [&keeper](const BusMessage& message) { keeper->take(message); };
   }
 
-  const std::optional<SweepStore> continued = map_to_continue(resumed, store);
+  const std::optional<SweepStore> continued = map_to_continue(folders.resumed, store);
 
   ProcessBus process(options.lcm_url, who, live);
   LiveBus& bus = process.live();
@@ -72,6 +97,7 @@ int run(const ProgramOptions& options, const std::string& resumed) {
     timer.finish(sweep, utime);
     params.tell();
   });
+  node.on_save([&](const std::string& name) { save_map(folders.maps, name, store ? &*store : nullptr, node, robot); });
   process.start();
   params.tell();
   if (continued) node.resume(*continued);
@@ -96,11 +122,13 @@ int run(const ProgramOptions& options, const std::string& resumed) {
 }  // namespace scanway
 
 int main(int argc, char** argv) {
-  std::string resumed;
+  scanway::MapFolders folders;
   return scanway::run_program(
       "scanway-mapper", "Sweeps in; a registered map, a cost map and an OctoMap out", argc, argv,
-      [&resumed](const scanway::ProgramOptions& options) { return scanway::run(options, resumed); },
-      [&resumed](CLI::App& app) {
-        app.add_option("--resume", resumed, "Folder of kept sweeps (--state of another session): go on with their map");
+      [&folders](const scanway::ProgramOptions& options) { return scanway::run(options, folders); },
+      [&folders](CLI::App& app) {
+        app.add_option("--resume", folders.resumed,
+                       "Folder of kept sweeps (--state of another session): go on with their map");
+        app.add_option("--maps", folders.maps, "Folder in which `scanway map keep` may save the map (with --state)");
       });
 }

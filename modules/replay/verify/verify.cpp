@@ -72,7 +72,8 @@ class Rerun {
   /// Carries out the next command that followed this sweep. False: none did.
   bool carry_out_next() {
     const auto next = std::ranges::find_if(answers_, [this](const map_answer_t& answer) {
-      return answer.done != 0 && answer.after_sweep_digest == last_sweep_;
+      return answer.done != 0 && answer.answered.command == map_command_t::WITHDRAW &&
+             answer.after_sweep_digest == last_sweep_;
     });
     if (next == answers_.end()) return false;
     bus_.publish(channel::kMapCommand.name, encode(next->answered), next->answered.utime);

@@ -1,5 +1,8 @@
+#include <memory>
+#include <string>
+
 #include "modules/tools/arguments/arguments.h"
-#include "modules/tools/drive/withdraw.h"
+#include "modules/tools/drive/mapper_order.h"
 #include "modules/tools/map/export_map.h"
 #include "modules/tools/map/fetch_map.h"
 #include "modules/tools/map/import_map.h"
@@ -42,12 +45,13 @@ void add_fetch(CLI::App& map, Action& action) {
   fetch->callback([&action] { action = [] { return run_fetch_map(options); }; });
 }
 
-void add_withdraw(CLI::App& map, Action& action) {
-  static WithdrawOptions options;
-  CLI::App* withdraw = map.add_subcommand("withdraw", "Take a sweep out of the live mapper's map");
-  withdraw->add_option("sweep", options.sweep, "Its name, as its registration says it")->required();
-  withdraw->add_option("--lcm-url", options.lcm_url, "The bus (default: LCM_DEFAULT_URL)");
-  withdraw->callback([&action] { action = [] { return run_withdraw(options); }; });
+void add_order(CLI::App& map, Action& action, const std::string& name, const std::string& what,
+               const std::string& of_name, int (*run)(const MapperOrder&)) {
+  const auto order = std::make_shared<MapperOrder>();
+  CLI::App* command = map.add_subcommand(name, what);
+  command->add_option("name", order->name, of_name)->required();
+  command->add_option("--lcm-url", order->lcm_url, "The bus (default: LCM_DEFAULT_URL)");
+  command->callback([&action, order, run] { action = [order, run] { return run(*order); }; });
 }
 
 void add_import_map(CLI::App& import, Action& action) {
@@ -70,7 +74,10 @@ void add_map(CLI::App& app, Action& action) {
   add_save(*map, action);
   add_check(*map, action);
   add_fetch(*map, action);
-  add_withdraw(*map, action);
+  add_order(*map, action, "withdraw", "Take a sweep out of the live mapper's map",
+            "The sweep's name, as its registration says it", run_withdraw);
+  add_order(*map, action, "keep", "Have the live mapper save its map, whole, in the folder of its --maps",
+            "The name of the new folder there", run_keep_map);
   add_import_map(*app.get_subcommand("import"), action);
 }
 

@@ -2,8 +2,11 @@
 
 #include <cmath>
 #include <cstdio>
+#include <exception>
+#include <utility>
 
 #include <fmt/format.h>
+#include <tbb/parallel_invoke.h>
 #include <nlohmann/json.hpp>
 
 #include "common/cloud/read_cloud.h"
@@ -60,19 +63,44 @@ void print_text(const RegistrationResult& result, StageTimer& timer) {
   fmt::print(" total {:.3f}\n", timer.total_s());
 }
 
+/// The scan in a file. Its cloud goes once it is prepared.
+PreparedScan prepared_from(const std::string& path) {
+  return PreparedScan::make(read_scan(path), Eigen::Vector3d::Zero(), {});
+}
+
+/// One of the two, or what was wrong with it.
+struct Side {
+  PreparedScan scan;
+  std::exception_ptr trouble;
+
+  void load(const std::string& path) {
+    try {
+      scan = prepared_from(path);
+    } catch (...) {
+      trouble = std::current_exception();
+    }
+  }
+};
+
+/// Side by side. Of two bad files the source is the one that is named, whichever was read first.
+std::pair<PreparedScan, PreparedScan> load(const RegisterOptions& options) {
+  Side source, target;
+  tbb::parallel_invoke([&] { source.load(options.source); }, [&] { target.load(options.target); });
+  for (const Side* side : {&source, &target}) {
+    if (side->trouble) std::rethrow_exception(side->trouble);
+  }
+  return {source.scan, target.scan};
+}
+
 }  // namespace
 
 int run_register(const RegisterOptions& options) {
   std::optional<OrientationPrior> prior;
   if (options.orientation_wxyz) prior = prior_from(*options.orientation_wxyz);
-  const RegistrationConfig config;
-  const Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   StageTimer timer;
-  timer.begin("read");
-  const PointCloud source_cloud = read_scan(options.source), target_cloud = read_scan(options.target);
-  const PreparedScan source = PreparedScan::make(source_cloud, origin, config, &timer);
-  const PreparedScan target = PreparedScan::make(target_cloud, origin, config, &timer);
-  const RegistrationResult result = register_scans(source, target, prior, config, &timer);
+  timer.begin("prepare");
+  const auto [source, target] = load(options);
+  const RegistrationResult result = register_scans(source, target, prior, {}, &timer);
   timer.finish();
   if (options.json) {
     print_json(result, timer);

@@ -1,6 +1,5 @@
 #include "modules/tools/drive/command.h"
 
-#include <chrono>
 #include <cstdio>
 #include <functional>
 #include <limits>
@@ -10,15 +9,11 @@
 #include <fmt/format.h>
 
 #include "common/bus/channels.h"
-#include "common/bus/lcm_bus.h"
-#include "common/bus/lcm_url.h"
 #include "common/clock/host_time.h"
-#include "common/clock/steady_time.h"
-#include "common/files/input_error.h"
 #include "common/files/printable.h"
 #include "common/math/angle.h"
-#include "common/messages/bad_message.h"
 #include "common/messages/codec.h"
+#include "modules/tools/drive/dialogue.h"
 #include "scanway/health_t.hpp"
 #include "scanway/pan_tilt_command_t.hpp"
 #include "scanway/registration_t.hpp"
@@ -31,8 +26,7 @@ constexpr int kRefused = 1;
 constexpr const char* kBridge = "schunk_bridge";
 constexpr SteadyTime kSayAgain = 200'000;
 /// The bridge is on HEALTH once a second.
-constexpr SteadyTime kPatience = 5'000'000;
-constexpr auto kWait = std::chrono::milliseconds(20);
+constexpr SteadyTime kLongestSilence = 5'000'000;
 
 using Command = pan_tilt_command_t;
 
@@ -60,26 +54,22 @@ Command message_of(const CommandOptions& options) {
 /// What the bridge says.
 class Bridge {
  public:
-  explicit Bridge(LcmBus& bus) : bus_(bus) {
-    hear<health_t>(channel::kHealth, [this](const health_t& message) {
+  explicit Bridge(const std::string& lcm_url) : talk_(lcm_url, {"scanway-schunk", kLongestSilence}) {
+    talk_.hear<health_t>(channel::kHealth, [this](const health_t& message) {
       if (message.process_name == kBridge) take(message);
     });
-    hear<sweep_mark_t>(channel::kSweepMark, [this](const sweep_mark_t& mark) {
+    talk_.hear<sweep_mark_t>(channel::kSweepMark, [this](const sweep_mark_t& mark) {
       marks_[{mark.numbered_since, mark.sweep}] = mark;
     });
-    hear<registration_t>(channel::kRegistration,
-                         [this](const registration_t& verdict) { verdicts_[verdict.utime] = verdict; });
+    talk_.hear<registration_t>(channel::kRegistration,
+                               [this](const registration_t& verdict) { verdicts_[verdict.utime] = verdict; });
   }
 
-  void listen() {
-    bus_.dispatch(kWait);
-    if (steady_now() - heard_ <= kPatience) return;
-    throw InputError("no scanway-schunk is heard on this bus: start it, or name its bus by --lcm-url");
+  /// Returns when it says what became of the command.
+  void tell(const Command& command) {
+    talk_.say_until([&] { return answers(command.utime); }, kSayAgain, channel::kPanTiltCommand, encode(command));
   }
-  /// Whether it says what became of the command of that time; then what it says of all is of that moment.
-  bool answers(Utime command) const {
-    return counter("last_command") == command && counter("last_command_refused") >= 0 && counter("sweep") >= 0;
-  }
+  void listen() { talk_.listen(); }
   /// As it said last; below 0: it did not say yet.
   std::int64_t counter(const std::string& name) const {
     const auto found = counters_.find("schunk_" + name);
@@ -98,15 +88,9 @@ class Bridge {
   }
 
  private:
-  template <class T>
-  void hear(const Channel& channel, const std::function<void(const T&)>& take) {
-    bus_.subscribe(channel.name, [take](const BusMessage& message) {
-      try {
-        take(decode<T>(message.bytes));
-      } catch (const BadMessage&) {
-        // Of another version, or no message at all: as if it had not come.
-      }
-    });
+  /// Whether it says what became of the command of that time; then what it says of all is of that moment.
+  bool answers(Utime command) const {
+    return counter("last_command") == command && counter("last_command_refused") >= 0 && counter("sweep") >= 0;
   }
 
   /// HEALTH comes in several messages of one time, each with its share of the counters.
@@ -116,14 +100,13 @@ class Bridge {
     start_ = message.start_utime;
     summary_ = message.summary;
     for (const counter_t& one : message.counters) counters_[one.counter_name] = one.count;
-    heard_ = steady_now();
+    talk_.note_partner();
   }
 
-  LcmBus& bus_;
+  Dialogue talk_;
   Utime said_ = 0, start_ = 0;
   std::string summary_;
   std::map<std::string, std::int64_t> counters_;
-  SteadyTime heard_ = steady_now();
   std::map<std::pair<Utime, std::int64_t>, sweep_mark_t> marks_;
   std::map<Utime, registration_t> verdicts_;  // By the sweep's last point.
 };
@@ -168,13 +151,8 @@ int follow_sweep(Bridge& bridge, bool registered) {
 
 int run_command(const CommandOptions& options) {
   const Command message = message_of(options);
-  LcmBus bus(lcm_url(options.lcm_url));
-  Bridge bridge(bus);
-  for (SteadyTime again = 0; !bridge.answers(message.utime); bridge.listen()) {
-    if (steady_now() < again) continue;
-    bus.publish(channel::kPanTiltCommand.name, encode(message), 0);
-    again = steady_now() + kSayAgain;
-  }
+  Bridge bridge(options.lcm_url);
+  bridge.tell(message);
   if (bridge.counter("last_command_refused") != 0) {
     std::puts(printable(bridge.summary()).c_str());
     return kRefused;

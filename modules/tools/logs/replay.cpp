@@ -11,7 +11,7 @@
 #include "common/files/input_error.h"
 #include "common/files/printable.h"
 #include "common/files/product_folder.h"
-#include "modules/replay/map_folder.h"
+#include "modules/mapper/saving/map_folder.h"
 #include "modules/replay/products.h"
 #include "modules/replay/replay.h"
 #include "modules/replay/verify/verify.h"

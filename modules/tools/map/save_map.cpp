@@ -9,8 +9,8 @@
 #include "common/config/robot_file.h"
 #include "common/files/printable.h"
 #include "modules/mapper/node/mapper_node.h"
-#include "modules/replay/map_folder.h"
-#include "modules/replay/map_products.h"
+#include "modules/mapper/saving/map_folder.h"
+#include "modules/mapper/saving/map_products.h"
 
 namespace scanway::tools {
 namespace {

@@ -142,8 +142,8 @@ def report(title, rows):
     sure = [r for r in accepted if r["p"] >= 0.99]
     wrong = lambda some: sum(1 for r in some if not r["right"])
     brier = sum((r["p"] - r["right"]) ** 2 for r in rows) / max(1, len(rows))
-    print(f"| {title} | {len(rows)} | {wrong(rows)} | {brier:.3f} | {len(accepted)} | {wrong(accepted)} | {len(sure)} | "
-          f"{wrong(sure)} | {len(good)} | {sum(1 for r in good if r['right'] and not r['accepted'])} |")
+    print(f"| {title} | {len(rows)} | {wrong(rows)} | {brier:.3f} | {len(accepted)} | {wrong(accepted)} | "
+          f"{len(sure)} | {wrong(sure)} | {len(good)} | {sum(1 for r in good if r['right'] and not r['accepted'])} |")
 
 
 def report_all(title, rows):
@@ -187,7 +187,8 @@ def diagram(path, rows):
 
 
 def read(paths):
-    return [{k: v if k == "set" else float(v) for k, v in r.items()} for path in paths for r in csv.DictReader(open(path))]
+    rows = [r for path in paths for r in csv.DictReader(open(path))]
+    return [{k: v if k == "set" else float(v) for k, v in r.items()} for r in rows]
 
 
 def fit_both(rows):

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <iterator>
-#include <set>
 #include <span>
 #include <stdexcept>
 #include <utility>
 
 #include "modules/mapper/core/cloud/packed_sums.h"
+#include "modules/mapper/core/cloud/surface_normals.h"
+#include "modules/mapper/core/cloud/voxel_place.h"
 
 namespace scanway {
 namespace {
@@ -23,7 +24,8 @@ VoxelCloud::VoxelCloud(double voxel_m, std::shared_ptr<ByteStore> store)
     : voxel_m_(voxel_m), store_(std::move(store)) {}
 
 void VoxelCloud::put(SweepNumber sweep, const MapPoints& points) {
-  const std::vector<VoxelSum> sums = voxel_sums(points, voxel_m_);
+  std::vector<VoxelSum> sums = voxel_sums(points, voxel_m_);
+  set_normals(sums, points.origin, voxel_m_);
   const bool with_intensity = !points.intensity.empty() && !sums.empty();
   std::map<TileNumber, std::size_t> begin;
   std::vector<std::uint8_t> bytes;
@@ -35,13 +37,39 @@ void VoxelCloud::put(SweepNumber sweep, const MapPoints& points) {
     from = to;
   }
   begin.emplace_hint(begin.end(), kNoTile, bytes.size());
-  views_.erase(sweep);
-  views_.emplace(sweep, View{std::move(begin), StoredBytes(store_, std::move(bytes)), with_intensity,
-                             points.points.size() - count_points(sums)});
+  if (const auto before = views_.find(sweep); before != views_.end()) forget(before);
+  View view{std::move(begin), StoredBytes(store_, std::move(bytes)), with_intensity,
+            points.points.size() - count_points(sums)};
+  note_change(view);
+  views_.emplace(sweep, std::move(view));
 }
 
 void VoxelCloud::withdraw(SweepNumber sweep) {
-  if (views_.erase(sweep) == 0) throw std::invalid_argument("VoxelCloud: no such sweep");
+  const auto view = views_.find(sweep);
+  if (view == views_.end()) throw std::invalid_argument("VoxelCloud: no such sweep");
+  forget(view);
+}
+
+void VoxelCloud::forget(std::map<SweepNumber, View>::iterator view) {
+  note_change(view->second);
+  views_.erase(view);
+}
+
+void VoxelCloud::note_change(const View& view) {
+  for (const auto& [tile, begin] : view.begin) {
+    if (tile != kNoTile) changed_.insert(tile);
+  }
+}
+
+std::vector<VoxelCloud::TileNumber> VoxelCloud::take_changed_tiles() {
+  const std::set<TileNumber> changed = std::exchange(changed_, {});
+  return {changed.begin(), changed.end()};
+}
+
+Eigen::AlignedBox3d VoxelCloud::box_of(TileNumber tile) const {
+  const Eigen::Vector3d low = corner_of(tile << kTileBits);
+  constexpr double kSide = 1 << (kTileBits / 3);
+  return {low * voxel_m_, (low + Eigen::Vector3d::Constant(kSide)) * voxel_m_};
 }
 
 std::vector<VoxelCloud::TileNumber> VoxelCloud::tiles() const {
@@ -67,8 +95,9 @@ std::vector<VoxelSum> VoxelCloud::sums_of(TileNumber tile, SweepNumber end) cons
 }
 
 PointCloud VoxelCloud::centroids_of(TileNumber tile) const {
-  const bool with_intensity =
-      std::any_of(views_.begin(), views_.end(), [](const auto& view) { return view.second.with_intensity; });
+  const bool with_intensity = std::any_of(views_.begin(), views_.end(), [tile](const auto& view) {
+    return view.second.with_intensity && view.second.begin.contains(tile);
+  });
   PointCloud cloud;
   append_centroids(sums_of(tile, std::numeric_limits<SweepNumber>::max()), voxel_m_, with_intensity, cloud);
   return cloud;

@@ -4,36 +4,13 @@
 #include <cmath>
 
 #include "modules/mapper/core/cloud/radix_sort.h"
+#include "modules/mapper/core/cloud/voxel_place.h"
 
 namespace scanway {
 namespace {
 
-constexpr int kFractionBits = 10;
-constexpr std::int64_t kFractions = std::int64_t{1} << kFractionBits;
-constexpr std::int64_t kHalfExtent = std::int64_t{1} << 20;  // voxels: 21 bits a coordinate make a 63-bit Morton code
 constexpr double kIntensityUnit = 256.0;
 constexpr double kIntensityLimit = 1e9;  // so that 2^24 points cannot overflow a sum
-
-/// The low 21 bits of v, two zeros after each.
-std::uint64_t spread_bits(std::uint64_t v) {
-  v &= 0x1FFFFF;
-  v = (v | v << 32) & 0x001F00000000FFFF;
-  v = (v | v << 16) & 0x001F0000FF0000FF;
-  v = (v | v << 8) & 0x100F00F00F00F00F;
-  v = (v | v << 4) & 0x10C30C30C30C30C3;
-  v = (v | v << 2) & 0x1249249249249249;
-  return v;
-}
-
-std::uint64_t gather_bits(std::uint64_t v) {
-  v &= 0x1249249249249249;
-  v = (v | v >> 2) & 0x10C30C30C30C30C3;
-  v = (v | v >> 4) & 0x100F00F00F00F00F;
-  v = (v | v >> 8) & 0x001F0000FF0000FF;
-  v = (v | v >> 16) & 0x001F00000000FFFF;
-  v = (v | v >> 32) & 0x00000000001FFFFF;
-  return v;
-}
 
 /// std::floor, for numbers that an int64 holds, without a call where the CPU need not have an instruction for it.
 std::int64_t floor_of(double v) {
@@ -114,8 +91,9 @@ std::vector<VoxelSum> voxel_sums(const MapPoints& points, double voxel_m) {
 }
 
 void add_up(std::vector<VoxelSum>& sums) {
+  const auto by_key = [](const VoxelSum& a, const VoxelSum& b) { return a.key < b.key; };
   if (sums.empty()) return;
-  radix_sort_by_key(sums);
+  if (!std::is_sorted(sums.begin(), sums.end(), by_key)) radix_sort_by_key(sums);
   std::size_t last = 0;
   for (std::size_t i = 1; i < sums.size(); ++i) {
     if (sums[i].key != sums[last].key) {
@@ -127,6 +105,7 @@ void add_up(std::vector<VoxelSum>& sums) {
     voxel.with_intensity += sums[i].with_intensity;
     for (std::size_t k = 0; k < 3; ++k) voxel.offset_sum[k] += sums[i].offset_sum[k];
     voxel.intensity_sum += sums[i].intensity_sum;
+    for (std::size_t k = 0; k < 3; ++k) voxel.normal_sum[k] += sums[i].normal_sum[k];
   }
   sums.resize(last + 1);
 }
@@ -137,10 +116,17 @@ std::size_t count_points(const std::vector<VoxelSum>& sums) {
   return count;
 }
 
+Eigen::Vector3f mean_normal(const VoxelSum& voxel) {
+  const Eigen::Vector3d sum(voxel.normal_sum[0], voxel.normal_sum[1], voxel.normal_sum[2]);
+  const double length = sum.norm();
+  return length > 0.0 ? Eigen::Vector3f((sum / length).cast<float>()) : Eigen::Vector3f::Zero();
+}
+
 void append_centroids(const std::vector<VoxelSum>& sums, double voxel_m, bool with_intensity, PointCloud& cloud) {
   const double unit = voxel_m / static_cast<double>(kFractions);
   for (const VoxelSum& voxel : sums) {
     cloud.points.push_back(centroid(voxel, unit));
+    cloud.normals.push_back(mean_normal(voxel));
     if (!with_intensity) continue;
     const double sum = static_cast<double>(voxel.intensity_sum) / kIntensityUnit;
     cloud.intensity.push_back(voxel.with_intensity == 0 ? 0.0f : static_cast<float>(sum / voxel.with_intensity));

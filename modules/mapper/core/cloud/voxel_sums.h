@@ -11,14 +11,31 @@
 namespace scanway {
 
 /// What the points in one voxel sum up to. Offsets are from the voxel's lowest corner, in 1024ths of its side;
-/// intensities are in 256ths.
+/// intensities are in 256ths, normals in 127ths.
 struct VoxelSum {
   std::uint64_t key = 0;  ///< Morton code of the voxel's index.
   std::uint32_t count = 0;
   std::uint32_t with_intensity = 0;
   std::array<std::uint64_t, 3> offset_sum{};
   std::int64_t intensity_sum = 0;
+  std::array<std::int32_t, 3> normal_sum{};
+
+  bool has_normal(const std::array<std::int32_t, 3>& normal) const {
+    const auto points = static_cast<std::int32_t>(count);
+    return normal_sum[0] == normal[0] * points && normal_sum[1] == normal[1] * points &&
+           normal_sum[2] == normal[2] * points;
+  }
+  /// Of points that all have the same.
+  std::array<std::int32_t, 3> normal() const {
+    const auto points = static_cast<std::int32_t>(count);
+    return {normal_sum[0] / points, normal_sum[1] / points, normal_sum[2] / points};
+  }
+  void set_normal(const std::array<std::int32_t, 3>& normal) {
+    for (std::size_t k = 0; k < 3; ++k) normal_sum[k] = normal[k] * static_cast<std::int32_t>(count);
+  }
 };
+
+constexpr double kNormalUnit = 127.0;
 
 /// The sums of some points, by key. Points that are not finite or further than 2^20 voxels from the origin are left
 /// out.
@@ -30,7 +47,10 @@ void add_up(std::vector<VoxelSum>& sums);
 /// The points that all the sums were made of.
 std::size_t count_points(const std::vector<VoxelSum>& sums);
 
-/// Appends each voxel's centroid, and if asked for its mean intensity (0 where no point had any).
+/// The direction of all its points' normals together; 0 where none is known, or they are against each other.
+Eigen::Vector3f mean_normal(const VoxelSum& voxel);
+
+/// Appends each voxel's centroid and normal, and if asked for its mean intensity (0 where no point had any).
 void append_centroids(const std::vector<VoxelSum>& sums, double voxel_m, bool with_intensity, PointCloud& cloud);
 
 }  // namespace scanway

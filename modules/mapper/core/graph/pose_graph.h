@@ -20,6 +20,7 @@ struct GraphEdge {
   /// Of [rotation vector w, translation v] in the axes of `from`, `to` turned about its own origin: exp(w) R, t + v.
   Matrix6 covariance = Matrix6::Identity();
   double probability = 0.0;  ///< That the edge is right.
+  bool seam = false;         ///< No registration: see seams.h.
 };
 
 /// Poses of sweeps' sensors and what is known of them. The first node's pose is the frame of all.

@@ -3,28 +3,12 @@
 #include <algorithm>
 #include <numeric>
 
+#include "modules/mapper/core/graph/parts.h"
+
 namespace scanway {
 namespace {
 
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
-
-/// Which nodes hang together.
-class Parts {
- public:
-  explicit Parts(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
-  std::size_t of(std::size_t node) const {
-    while (parent_[node] != node) node = parent_[node];
-    return node;
-  }
-  bool join(std::size_t a, std::size_t b) {
-    a = of(a), b = of(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-    return a != b;
-  }
-
- private:
-  std::vector<std::size_t> parent_;
-};
 
 std::size_t other_end(const GraphEdge& edge, std::size_t node) { return edge.from == node ? edge.to : edge.from; }
 

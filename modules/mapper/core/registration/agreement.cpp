@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <tbb/parallel_invoke.h>
+
 namespace scanway::registration {
 namespace {
 
@@ -107,8 +109,9 @@ View view(const PreparedScan::Data& from, const PreparedScan::Data& to, const Po
 
 Agreement assess(const PreparedScan::Data& source, const PreparedScan::Data& target, const Pose& T_target_source,
                  std::size_t samples) {
-  const OneWay there = view(source, target, T_target_source).assess(samples);
-  const OneWay back = view(target, source, T_target_source.inverse()).assess(samples);
+  OneWay there, back;
+  tbb::parallel_invoke([&] { there = view(source, target, T_target_source).assess(samples); },
+                       [&] { back = view(target, source, T_target_source.inverse()).assess(samples); });
   Agreement agreement;
   agreement.overlap = there.overlap;
   agreement.overlap_back = back.overlap;
@@ -120,13 +123,18 @@ Agreement assess(const PreparedScan::Data& source, const PreparedScan::Data& tar
 Hold hold_of(const PreparedScan::Data& source, const PreparedScan::Data& target, const Pose& T_target_source,
              const Eigen::Matrix3d& axes) {
   const Pose T_source_target = T_target_source.inverse();
-  const Hold there = view(source, target, T_target_source).hold(axes.cast<float>());
-  const Hold back = view(target, source, T_source_target).hold((T_source_target.linear() * axes).cast<float>());
+  const Eigen::Matrix3f axes_there = axes.cast<float>(), axes_back = (T_source_target.linear() * axes).cast<float>();
+  Hold there, back;
+  tbb::parallel_invoke([&] { there = view(source, target, T_target_source).hold(axes_there); },
+                       [&] { back = view(target, source, T_source_target).hold(axes_back); });
   return {std::min(there.fit, back.fit), there.facing.cwiseMin(back.facing)};
 }
 
 double mean_gap(const PreparedScan::Data& source, const PreparedScan::Data& target, const Pose& T_target_source) {
-  return 0.5 * (view(source, target, T_target_source).gap() + view(target, source, T_target_source.inverse()).gap());
+  double there = 0.0, back = 0.0;
+  tbb::parallel_invoke([&] { there = view(source, target, T_target_source).gap(); },
+                       [&] { back = view(target, source, T_target_source.inverse()).gap(); });
+  return 0.5 * (there + back);
 }
 
 }  // namespace scanway::registration

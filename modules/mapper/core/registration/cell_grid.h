@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -29,7 +30,8 @@ class CellGrid {
   template <class Visit>
   void for_each_within(const Eigen::Vector3f& query, float radius, const Visit& visit) const {
     const float limit = radius * radius;
-    for_each_run(query, radius, [&](std::uint32_t begin, std::uint32_t end) {
+    if (!reaches(query, radius)) return;
+    for_each_run(query, radius, limit, [&](std::uint32_t begin, std::uint32_t end) {
       for (std::uint32_t i = begin; i < end; ++i) {
         const float d2 = (points_[i] - query).squaredNorm();
         if (d2 <= limit) visit(i, d2);
@@ -48,10 +50,11 @@ class CellGrid {
     float squared_distance = std::numeric_limits<float>::max();
     bool found() const { return position != CellTable::kNone; }
   };
-  /// The nearest point within `radius` that `admit(position)` lets in; of equals, the lowest position. The query's own
-  /// cell is looked at first: what is found there spares most of the others.
+  /// The nearest point within `radius` that `admit(position)` lets in; of equals, the lowest position. The position
+  /// `hint` and the query's own cell are looked at first: what is found there spares most of the others.
   template <class Admit>
-  Nearest nearest(const Eigen::Vector3f& query, float radius, const Admit& admit) const {
+  Nearest nearest(const Eigen::Vector3f& query, float radius, const Admit& admit,
+                  std::uint32_t hint = CellTable::kNone) const {
     Nearest best{CellTable::kNone, radius * radius};
     const auto look = [&](std::uint32_t begin, std::uint32_t end) {
       for (std::uint32_t i = begin; i < end; ++i) {
@@ -59,14 +62,12 @@ class CellGrid {
         if (d2 > best.squared_distance || (d2 == best.squared_distance && i >= best.position)) continue;
         if (admit(i)) best = {i, d2};
       }
-    };
-    if (points_.empty() || !(query.array().abs().maxCoeff() + radius < reach_)) return best;
-    const std::uint32_t home = cell_of(query);
-    if (home != CellTable::kNone) look(begin_[home], begin_[home + 1]);
-    for_each_cell(query, radius, best.squared_distance, [&](std::uint32_t cell) {
-      if (cell != home) look(begin_[cell], begin_[cell + 1]);
       return true;
-    });
+    };
+    if (!reaches(query, radius)) return best;
+    if (hint != CellTable::kNone) look(hint, hint + 1);
+    look_at_home(query, look);
+    for_each_run(query, radius, best.squared_distance, look);
     return best;
   }
   Nearest nearest(const Eigen::Vector3f& query, float radius) const {
@@ -78,19 +79,40 @@ class CellGrid {
 
  private:
   static constexpr float kRounding = 1e-6f;  ///< Of a coordinate: several times what the cells' bounds are off by.
+  static constexpr std::int32_t kRowCells = 8;
 
-  /// Calls run(begin, end) for runs of positions that together hold everything within `radius`, in rising order,
-  /// until it returns false.
+  /// Cells that lie side by side along x, so that one look-up finds them all.
+  struct Row {
+    std::array<std::uint32_t, kRowCells + 1> begin;  ///< Of each cell its first position, and where the last one ends.
+  };
+
+  bool reaches(const Eigen::Vector3f& query, float radius) const {
+    return !points_.empty() && query.array().abs().maxCoeff() + radius < reach_;
+  }
+  std::int32_t layer_of(float v) const { return floor_to_int(v * per_metre_); }
+  static CellKey row_key(std::int32_t x, std::int32_t y, std::int32_t z) { return cell_key(x >> 3, y, z); }
+
+  /// Calls run(begin, end) for the cells x0 to x1 at y, z, in rising order, until it returns false: so does this then.
   template <class Run>
-  void for_each_run(const Eigen::Vector3f& query, float radius, const Run& run) const {
-    if (points_.empty() || !(query.array().abs().maxCoeff() + radius < reach_)) return;
-    for_each_cell(query, radius, radius * radius,
-                  [&](std::uint32_t cell) { return run(begin_[cell], begin_[cell + 1]); });
+  bool for_each_run_of(std::int32_t x0, std::int32_t x1, std::int32_t y, std::int32_t z, const Run& run) const {
+    while (x0 <= x1) {
+      const std::int32_t last = std::min(x1, x0 | (kRowCells - 1));
+      const std::uint32_t row = rows_of_.find(row_key(x0, y, z));
+      if (row != CellTable::kNone) {
+        const std::uint32_t begin = rows_[row].begin[x0 & 7], end = rows_[row].begin[(last & 7) + 1];
+        if (begin < end && !run(begin, end)) return false;
+      }
+      x0 = last + 1;
+    }
+    return true;
   }
 
-  std::uint32_t cell_of(const Eigen::Vector3f& p) const {
-    const auto at = [&](float v) { return floor_to_int(v * per_metre_); };
-    return table_.find(cell_key(at(p.x()), at(p.y()), at(p.z())));
+  void enter_cell(std::uint32_t begin, std::uint32_t end);
+
+  template <class Run>
+  bool look_at_home(const Eigen::Vector3f& query, const Run& run) const {
+    const std::int32_t x = layer_of(query.x());
+    return for_each_run_of(x, x, layer_of(query.y()), layer_of(query.z()), run);
   }
 
   /// How far `v` lies from layer `cell` of the grid, squared: never more than from any point in it.
@@ -100,31 +122,29 @@ class CellGrid {
     return gap * gap;
   }
 
-  /// Calls visit(cell) for the cells of the cube of `radius` about `query` that come within `squared_limit` of it
+  /// Calls run(begin, end) for the cells of the cube of `radius` about `query` that come within `squared_limit` of it
   /// (which may shrink meanwhile), in rising order, until it returns false.
-  template <class Visit>
-  void for_each_cell(const Eigen::Vector3f& query, float radius, const float& squared_limit, const Visit& visit) const {
-    const auto low = [&](float v) { return floor_to_int((v - radius) * per_metre_); };
-    const auto high = [&](float v) { return floor_to_int((v + radius) * per_metre_); };
-    const std::int32_t x0 = low(query.x()), x1 = high(query.x());
-    for (std::int32_t z = low(query.z()); z <= high(query.z()); ++z) {
+  template <class Run>
+  void for_each_run(const Eigen::Vector3f& query, float radius, const float& squared_limit, const Run& run) const {
+    const std::int32_t low_x = layer_of(query.x() - radius), high_x = layer_of(query.x() + radius);
+    const std::int32_t low_y = layer_of(query.y() - radius), high_y = layer_of(query.y() + radius);
+    const std::int32_t low_z = layer_of(query.z() - radius), high_z = layer_of(query.z() + radius);
+    for (std::int32_t z = low_z; z <= high_z; ++z) {
       const float gap_z = squared_gap(query.z(), z);
-      for (std::int32_t y = low(query.y()); y <= high(query.y()); ++y) {
-        const float gap_yz = gap_z + squared_gap(query.y(), y);
-        if (gap_yz > squared_limit) continue;
-        for (std::int32_t x = x0; x <= x1; ++x) {
-          if (gap_yz + squared_gap(query.x(), x) > squared_limit) continue;
-          const std::uint32_t cell = table_.find(cell_key(x, y, z));
-          if (cell != CellTable::kNone && !visit(cell)) return;
-        }
+      for (std::int32_t y = low_y; y <= high_y; ++y) {
+        const float gap = gap_z + squared_gap(query.y(), y);
+        std::int32_t x0 = low_x, x1 = high_x;
+        while (x0 <= x1 && gap + squared_gap(query.x(), x0) > squared_limit) ++x0;
+        while (x0 <= x1 && gap + squared_gap(query.x(), x1) > squared_limit) --x1;
+        if (!for_each_run_of(x0, x1, y, z, run)) return;
       }
     }
   }
 
   Points points_;
   std::vector<std::uint32_t> original_;
-  std::vector<std::uint32_t> begin_;  ///< For each cell its first position; one more at the end.
-  CellTable table_;                   ///< From a cell's key to its index in begin_.
+  std::vector<Row> rows_;
+  CellTable rows_of_;  ///< From a row's key to its index in rows_.
   float cell_m_ = 1.0f, per_metre_ = 1.0f;
   float reach_ = 0.0f;  ///< Coordinates below this have a cell.
 };

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "common/parallel/blocks.h"
+
 namespace scanway::registration {
 namespace {
 
@@ -22,12 +24,16 @@ struct Finalist {
 
 std::vector<Finalist> refine(const std::vector<Candidate>& candidates, const PreparedScan::Data& source,
                              const PreparedScan::Data& target) {
-  std::vector<Finalist> finalists;
-  for (std::size_t i = 0; i < std::min(kFinalists, candidates.size()); ++i) {
-    if (rank_of(candidates[0].evidence) - rank_of(candidates[i].evidence) > kSwappable) break;
-    const IcpResult icp = refine_finely(source, target, candidates[i].T_target_source);
-    finalists.push_back({icp, {icp.T_target_source, evidence_of(source, target, icp)}});
+  std::size_t count = 0;
+  while (count < std::min(kFinalists, candidates.size()) &&
+         rank_of(candidates[0].evidence) - rank_of(candidates[count].evidence) <= kSwappable) {
+    ++count;
   }
+  std::vector<Finalist> finalists(count);
+  for_blocks(count, 1, [&](std::size_t i, std::size_t, std::size_t) {
+    const IcpResult icp = refine_finely(source, target, candidates[i].T_target_source);
+    finalists[i] = {icp, {icp.T_target_source, evidence_of(source, target, icp)}};
+  });
   return finalists;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <Eigen/Cholesky>
 
@@ -36,6 +37,9 @@ struct Sums {
   }
 };
 
+/// For each of the source's surfaces, the position of what it was nearest to in the iteration before: most often still.
+using Hints = std::vector<std::uint32_t>;
+
 /// Normal equations at the pose (R, t), over the source's surfaces [begin, end).
 struct Linearisation {
   const Surfaces& source;
@@ -43,6 +47,7 @@ struct Linearisation {
   Eigen::Matrix3f R;
   Eigen::Vector3f t;
   IcpRound round;
+  Hints& hints;
 
   Sums operator()(std::size_t begin, std::size_t end) const {
     Sums sums;
@@ -54,9 +59,11 @@ struct Linearisation {
     const Eigen::Vector3f lever = R * source.centre[i], point = lever + t, normal = R * source.normal[i];
     const float reach = std::max(round.max_distance_m, kReachInCells * source.size[i]);
     const auto original = [&](std::uint32_t position) { return target.grid.original()[position]; };
-    const CellGrid::Nearest nearest = target.grid.nearest(point, reach, [&](std::uint32_t position) {
+    const auto admit = [&](std::uint32_t position) {
       return normal.dot(target.surfaces.normal[original(position)]) > kMinNormalCosine;
-    });
+    };
+    const CellGrid::Nearest nearest = target.grid.nearest(point, reach, admit, hints[i]);
+    hints[i] = nearest.position;
     if (!nearest.found()) return;
     const std::uint32_t j = original(nearest.position);
     const Eigen::Vector3f both = (normal + target.surfaces.normal[j]).normalized();
@@ -78,8 +85,8 @@ struct Linearisation {
   }
 };
 
-Sums linearise(const Surfaces& source, const IcpTarget& target, const Pose& T, const IcpRound& round) {
-  const Linearisation at{source, target, T.linear().cast<float>(), T.translation().cast<float>(), round};
+Sums linearise(const Surfaces& source, const IcpTarget& target, const Pose& T, const IcpRound& round, Hints& hints) {
+  const Linearisation at{source, target, T.linear().cast<float>(), T.translation().cast<float>(), round, hints};
   return sum_blocks(source.count(), kBlock, Sums{}, at);
 }
 
@@ -108,12 +115,13 @@ IcpResult run_icp(const Surfaces& source, const IcpTarget& target, const Pose& T
                   std::span<const IcpRound> rounds) {
   IcpResult result;
   result.T_target_source = T_target_source;
+  Hints hints(source.count(), CellTable::kNone);
   for (IcpRound round : rounds) {
     if (round.tighten) {
       round.kernel_m = std::clamp(kKernelDeviations * static_cast<float>(result.rmse_m), kMinKernel, round.kernel_m);
     }
     for (int iteration = 0; iteration < round.iterations; ++iteration) {
-      const Sums sums = linearise(source, target, result.T_target_source, round);
+      const Sums sums = linearise(source, target, result.T_target_source, round, hints);
       record(sums, result);
       if (sums.count < kMinCorrespondences) return result;
       const Vector6 step = solve(sums);

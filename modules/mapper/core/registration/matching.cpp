@@ -4,13 +4,13 @@
 #include <limits>
 
 #include "common/parallel/blocks.h"
+#include "modules/mapper/core/registration/lanes.h"
 
 namespace scanway::registration {
 namespace {
 
 constexpr std::size_t kDims = kFpfhBins + 3;
-constexpr std::size_t kLanes = 8;    // of a vector
-constexpr std::size_t kVectors = 4;  // scores that stay in registers
+constexpr std::size_t kVectors = 4;  // of scores that stay in registers, for each of two sources
 constexpr std::size_t kStrip = kLanes * kVectors;
 constexpr std::size_t kBlock = 128;        // sources of a block
 constexpr float kNormalWeight = 60.0f;     // in percents of a histogram: opposite normals differ as unlike corners do
@@ -51,71 +51,102 @@ Strips make_strips(const std::vector<Descriptor>& descriptors) {
   return strips;
 }
 
-typedef float Lanes __attribute__((vector_size(kLanes * sizeof(float)), aligned(sizeof(float))));
+/// For each descriptor the nearest of the others that came by; of equals, the first.
+struct Nearest {
+  explicit Nearest(std::size_t count) : score(count, std::numeric_limits<float>::max()), index(count, 0) {}
+  std::vector<float> score;
+  std::vector<std::uint32_t> index;
 
-/// score[lane] = (|s|^2 + |t|^2) / 2 - s.t, half the squared distance. Lanes are independent, so every width of vector
-/// instructions gives the same bits.
-__attribute__((target_clones("default", "avx2"))) void strip_scores(const float* source, float source_half_norm,
-                                                                    const float* strip, const float* half_norm,
-                                                                    float* score) {
-  Lanes sum[kVectors];
+  void offer(std::size_t i, float other_score, std::uint32_t other) {
+    if (other_score < score[i]) score[i] = other_score, index[i] = other;
+  }
+};
+
+/// Offers source `i` with its scores to the targets of a strip. Returns whether a score is below `limit`.
+__attribute__((always_inline)) inline bool offer(const Lanes* score, std::uint32_t i, float limit, float* best,
+                                                 std::uint32_t* index) {
+  Indices any = {};
   for (std::size_t v = 0; v < kVectors; ++v) {
-    sum[v] = reinterpret_cast<const Lanes*>(half_norm)[v] + source_half_norm;
+    Lanes& best_score = reinterpret_cast<Lanes*>(best)[v];
+    Indices& best_index = reinterpret_cast<Indices*>(index)[v];
+    const auto nearer = score[v] < best_score;
+    any |= (Indices)(score[v] < limit);
+    best_score = nearer ? score[v] : best_score;
+    best_index = nearer ? Indices{} + i : best_index;
+  }
+  std::uint32_t found = 0;
+  for (std::size_t lane = 0; lane < kLanes; ++lane) found |= any[lane];
+  return found != 0;
+}
+
+/// Scores of two sources and the targets of a strip: (|s|^2 + |t|^2) / 2 - s.t, half the squared distance.
+__attribute__((always_inline)) inline void compute_scores(const float* const* source, const float* half_norm,
+                                                          const float* strip, const float* strip_half_norm,
+                                                          Lanes (&score)[2][kVectors]) {
+  for (std::size_t v = 0; v < kVectors; ++v) {
+    const Lanes norm = reinterpret_cast<const Lanes*>(strip_half_norm)[v];
+    score[0][v] = norm + half_norm[0];
+    score[1][v] = norm + half_norm[1];
   }
   for (std::size_t d = 0; d < kDims; ++d) {
     const Lanes* row = reinterpret_cast<const Lanes*>(strip + d * kStrip);
-    for (std::size_t v = 0; v < kVectors; ++v) sum[v] -= source[d] * row[v];
-  }
-  for (std::size_t v = 0; v < kVectors; ++v) reinterpret_cast<Lanes*>(score)[v] = sum[v];
-}
-
-std::size_t lowest(const float* score) {
-  std::size_t best = 0;
-  for (std::size_t lane = 1; lane < kStrip; ++lane) {
-    if (score[lane] < score[best]) best = lane;
-  }
-  return best;
-}
-
-struct Best {
-  float score = std::numeric_limits<float>::max();
-  std::uint32_t index = 0;
-
-  void offer(float other_score, std::size_t other) {
-    if (other_score < score) *this = {other_score, static_cast<std::uint32_t>(other)};
-  }
-};
-
-/// For each descriptor of either side its nearest on the other; of equals, the lowest.
-struct BothWays {
-  std::vector<Best> to_target, to_source;
-};
-
-/// The sources [begin, end) against all targets.
-void compare_block(const std::vector<Descriptor>& source, std::size_t begin, std::size_t end, const Strips& strips,
-                   std::vector<Best>& to_target, std::vector<Best>& to_source) {
-  alignas(32) std::array<float, kStrip> score;
-  for (std::size_t strip = 0; strip < strips.count; ++strip) {
-    Best* column = to_source.data() + strip * kStrip;
-    for (std::size_t i = begin; i < end; ++i) {
-      strip_scores(source[i].data(), half_squared_norm(source[i]), strips.value.data() + strip * kStrip * kDims,
-                   strips.half_norm.data() + strip * kStrip, score.data());
-      const std::size_t lane = lowest(score.data());
-      to_target[i].offer(score[lane], strip * kStrip + lane);
-      for (std::size_t l = 0; l < kStrip; ++l) column[l].offer(score[l], i);
+    for (std::size_t v = 0; v < kVectors; ++v) {
+      score[0][v] -= source[0][d] * row[v];
+      score[1][v] -= source[1][d] * row[v];
     }
   }
 }
 
+/// What a strip's kernel works on: sources [begin, end) against the targets from `first_target` on.
+struct Comparison {
+  const Descriptor* source;
+  const float* half_norm;  ///< Of the sources.
+  std::size_t begin, end;
+  const float *strip, *strip_half_norm;
+  std::size_t first_target;
+};
+
+__attribute__((target_clones("default", "avx2"))) void compare_strip(const Comparison& all, Nearest& to_target,
+                                                                     Nearest& to_source) {
+  float* best = to_source.score.data() + all.first_target;
+  std::uint32_t* index = to_source.index.data() + all.first_target;
+  for (std::size_t i = all.begin; i < all.end; i += 2) {
+    const std::size_t pair[2] = {i, std::min(i + 1, all.end - 1)};
+    const float* source[2] = {all.source[pair[0]].data(), all.source[pair[1]].data()};
+    const float half_norm[2] = {all.half_norm[pair[0]], all.half_norm[pair[1]]};
+    Lanes score[2][kVectors];
+    compute_scores(source, half_norm, all.strip, all.strip_half_norm, score);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const std::size_t s = pair[k];
+      if (!offer(score[k], static_cast<std::uint32_t>(s), to_target.score[s], best, index)) continue;
+      for (std::size_t t = 0; t < kStrip; ++t) {
+        to_target.offer(s, score[k][t / kLanes][t % kLanes], static_cast<std::uint32_t>(all.first_target + t));
+      }
+    }
+  }
+}
+
+/// For each descriptor of either side its nearest on the other; of equals, the lowest.
+struct BothWays {
+  Nearest to_target, to_source;
+};
+
 BothWays nearest_descriptors(const std::vector<Descriptor>& source, const std::vector<Descriptor>& target) {
   const Strips strips = make_strips(target);
-  BothWays nearest{std::vector<Best>(source.size()), std::vector<Best>(strips.count * kStrip)};
-  std::vector<std::vector<Best>> columns((source.size() + kBlock - 1) / kBlock, nearest.to_source);
+  std::vector<float> half_norm(source.size());
+  std::transform(source.begin(), source.end(), half_norm.begin(), half_squared_norm);
+  BothWays nearest{Nearest(source.size()), Nearest(strips.count * kStrip)};
+  std::vector<Nearest> columns((source.size() + kBlock - 1) / kBlock, nearest.to_source);
   for_blocks(source.size(), kBlock, [&](std::size_t begin, std::size_t end, std::size_t block) {
-    compare_block(source, begin, end, strips, nearest.to_target, columns[block]);
+    for (std::size_t strip = 0; strip < strips.count; ++strip) {
+      const std::size_t first = strip * kStrip;
+      compare_strip({source.data(), half_norm.data(), begin, end, strips.value.data() + first * kDims,
+                     strips.half_norm.data() + first, first},
+                    nearest.to_target, columns[block]);
+    }
   });
-  for (const std::vector<Best>& column : columns) {
-    for (std::size_t j = 0; j < column.size(); ++j) nearest.to_source[j].offer(column[j].score, column[j].index);
+  for (const Nearest& column : columns) {
+    for (std::size_t j = 0; j < column.score.size(); ++j) nearest.to_source.offer(j, column.score[j], column.index[j]);
   }
   return nearest;
 }
@@ -136,12 +167,12 @@ std::vector<Match> match_keypoints(const Keypoints& source, const Keypoints& tar
   };
   std::vector<Match> matches;
   for (std::uint32_t i = 0; i < s.size(); ++i) {
-    const std::uint32_t j = to_target[i].index;
-    if ((!mutual || to_source[j].index == i) && agree(i, j)) matches.push_back({i, j});
+    const std::uint32_t j = to_target.index[i];
+    if ((!mutual || to_source.index[j] == i) && agree(i, j)) matches.push_back({i, j});
   }
   for (std::uint32_t j = 0; j < t.size() && !mutual; ++j) {
-    const std::uint32_t i = to_source[j].index;
-    if (to_target[i].index != j && agree(i, j)) matches.push_back({i, j});
+    const std::uint32_t i = to_source.index[j];
+    if (to_target.index[i] != j && agree(i, j)) matches.push_back({i, j});
   }
   return matches;
 }

@@ -14,23 +14,65 @@ struct Part {
   std::vector<float> squared_distance;
 };
 
-Part search(const CellGrid& grid, float radius_m, std::size_t begin, std::size_t end) {
-  Part part;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> runs;
-  std::size_t cell_end = begin;
-  const float limit = radius_m * radius_m;
-  for (std::size_t i = begin; i < end; ++i) {
-    if (i >= cell_end) cell_end = grid.runs_about_cell(static_cast<std::uint32_t>(i), radius_m, runs);
-    const std::size_t before = part.index.size();
-    for (const auto& [first, last] : runs) {
+/// Of `count` points from one.
+__attribute__((target_clones("default", "avx2"))) void squared_distances(const float* x, const float* y, const float* z,
+                                                                         std::size_t count, const float* point,
+                                                                         float* __restrict d2) {
+  const float px = point[0], py = point[1], pz = point[2];
+  for (std::size_t k = 0; k < count; ++k) {
+    const float dx = x[k] - px, dy = y[k] - py, dz = z[k] - pz;
+    d2[k] = dx * dx + (dy * dy + dz * dz);
+  }
+}
+
+/// The points that may be neighbours of those in one cell, by coordinate, so that distances come in vectors.
+class Candidates {
+ public:
+  void gather(const CellGrid& grid, std::uint32_t position, float radius) {
+    position_.clear(), x_.clear(), y_.clear(), z_.clear();
+    end_ = grid.runs_about_cell(position, radius, runs_);
+    for (const auto& [first, last] : runs_) {
       for (std::uint32_t j = first; j < last; ++j) {
-        const float d2 = (grid.points()[j] - grid.points()[i]).squaredNorm();
-        if (d2 > limit || j == i) continue;
-        part.index.push_back(j);
-        part.squared_distance.push_back(d2);
+        const Eigen::Vector3f& p = grid.points()[j];
+        position_.push_back(j), x_.push_back(p.x()), y_.push_back(p.y()), z_.push_back(p.z());
       }
     }
-    part.count.push_back(static_cast<std::uint32_t>(part.index.size() - before));
+    d2_.resize(position_.size());
+    near_.resize(position_.size());
+    near_d2_.resize(position_.size());
+  }
+  /// The first position after the cell.
+  std::size_t end() const { return end_; }
+
+  /// Appends those within the distance of the point, without itself.
+  void append_near(const Eigen::Vector3f& point, std::uint32_t itself, float squared_limit, Part& part) {
+    squared_distances(x_.data(), y_.data(), z_.data(), d2_.size(), point.data(), d2_.data());
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < d2_.size(); ++k) {  // without a branch, for every other one is near
+      near_[count] = position_[k];
+      near_d2_[count] = d2_[k];
+      count += static_cast<std::size_t>(d2_[k] <= squared_limit) & static_cast<std::size_t>(position_[k] != itself);
+    }
+    const auto end = static_cast<std::ptrdiff_t>(count);
+    part.count.push_back(static_cast<std::uint32_t>(count));
+    part.index.insert(part.index.end(), near_.begin(), near_.begin() + end);
+    part.squared_distance.insert(part.squared_distance.end(), near_d2_.begin(), near_d2_.begin() + end);
+  }
+
+ private:
+  std::size_t end_ = 0;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> runs_;
+  std::vector<std::uint32_t> position_, near_;
+  std::vector<float> x_, y_, z_, d2_, near_d2_;
+};
+
+Part search(const CellGrid& grid, float radius_m, std::size_t begin, std::size_t end) {
+  Part part;
+  Candidates candidates;
+  for (std::size_t i = begin; i < end; ++i) {
+    const auto position = static_cast<std::uint32_t>(i);
+    if (i >= candidates.end()) candidates.gather(grid, position, radius_m);
+    candidates.append_near(grid.points()[i], position, radius_m * radius_m, part);
   }
   return part;
 }

@@ -24,17 +24,16 @@ constexpr std::size_t kFewSurfaces = 1200, kFewestSurfaces = 500;
 constexpr std::size_t kMinPoints = 200;
 constexpr std::size_t kMinSurfaces = 20;
 
-/// The points that a laser measured, relative to the sensor.
+/// The points that a laser measured, relative to the sensor, thinned.
 Points measured_points(const PointCloud& cloud, const Eigen::Vector3d& origin, const RegistrationConfig& config) {
-  Points points;
-  points.reserve(cloud.size());
+  VoxelGrid grid(kFineVoxel, cloud.size());
   const double low = config.min_range_m * config.min_range_m, high = config.max_range_m * config.max_range_m;
   for (const Eigen::Vector3f& p : cloud.points) {
     const Eigen::Vector3d relative = p.cast<double>() - origin;
     const double range2 = relative.squaredNorm();
-    if (range2 >= low && range2 <= high) points.push_back(relative.cast<float>());  // NaN compares false
+    if (range2 >= low && range2 <= high) grid.add(relative.cast<float>());  // NaN compares false
   }
-  return points;
+  return grid.take_centroids();
 }
 
 /// Three directions of normals must be there, or the surfaces cannot hold a pose.
@@ -69,7 +68,7 @@ PreparedScan PreparedScan::make(const PointCloud& cloud, const Eigen::Vector3d& 
   auto data = std::make_shared<Data>();
   begin_stage(stages, "voxels");
   data->origin = origin;
-  const Points fine = voxel_centroids(measured_points(cloud, origin, config), kFineVoxel);
+  const Points fine = measured_points(cloud, origin, config);
   data->fine = CellGrid(fine, kFineCell);
   data->image = RangeImage(fine);
   begin_stage(stages, "surfaces");

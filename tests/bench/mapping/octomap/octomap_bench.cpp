@@ -13,6 +13,7 @@
 #include "common/cloud/poses_file.h"
 #include "common/cloud/read_cloud.h"
 #include "modules/mapper/core/octomap/occupancy_tree.h"
+#include "tests/bench/mapping/octomap/threads.h"
 #include "tests/bench/mapping/yard/yard.h"
 
 namespace scanway::bench {
@@ -90,7 +91,8 @@ void compare(const std::string& name, const std::vector<MapPoints>& sweeps, cons
 int main(int argc, char** argv) {
   using namespace scanway;
   using namespace scanway::bench;
-  if (argc != 2) return std::fprintf(stderr, "usage: octomap_bench DATA_FOLDER | octomap_bench yard\n"), 2;
+  if (argc != 2) return std::fprintf(stderr, "usage: octomap_bench DATA_FOLDER | yard | threads\n"), 2;
+  if (std::string(argv[1]) == "threads") return compare_threads(), 0;
   std::puts(
       "| sweeps | resolution, m | rays | liboctomap, CPU s | ours, CPU s | times less | 2 threads | same bytes |");
   std::puts("|---|---|---|---|---|---|---|---|");

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
+#include <string>
 #include <vector>
 
+#include "common/files/input_error.h"
 #include "tests/bench/registration/cpu_stages.h"
 #include "tests/bench/registration/real_pairs.h"
 #include "tests/bench/registration/simulated/simulated_sweep.h"
@@ -18,6 +21,9 @@ struct Run {
   RegistrationResult result;
   std::size_t points = 0;
 };
+
+/// The runs of a distance, by world; under an empty name those of all.
+using Runs = std::map<std::string, std::vector<Run>>;
 
 double mean_of(const std::vector<double>& values) {
   double sum = 0.0;
@@ -37,8 +43,8 @@ double median_of(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-Run run_pair(const TableOptions& options, double distance_m, std::uint64_t seed) {
-  const SimulatedPair pair = simulate_pair(options.world, seed, distance_m, options.thin);
+Run run_pair(const std::string& world, int thin, double distance_m, std::uint64_t seed) {
+  const SimulatedPair pair = simulate_pair(world, seed, distance_m, thin);
   const RegistrationConfig limits = simulated_limits(seed);
   CpuStages stages;
   const double begin = cpu_s();
@@ -60,38 +66,56 @@ std::vector<double> all_of(const std::vector<Run>& runs, const Value& value) {
   return values;
 }
 
-void print_case(double distance_m, const std::vector<Run>& runs) {
+void print_case(const std::string& world, double distance_m, const std::vector<Run>& runs) {
   const auto rough = all_of(runs, [](const Run& r) { return r.rough_s; });
   const auto fine = all_of(runs, [](const Run& r) { return r.fine_s; });
   const auto millimetres = all_of(runs, [](const Run& r) { return 1000.0 * r.error.metres; });
   const auto points = all_of(runs, [](const Run& r) { return 0.5e-6 * static_cast<double>(r.points); });
   const auto accepted = all_of(runs, [](const Run& r) { return r.result.verdict == Verdict::accepted ? 1.0 : 0.0; });
-  std::printf("| %.0f m | %.2f | %.2f ± %.2f | %.2f ± %.2f | %.1f (worst %.1f) | %.0f of %zu |\n", distance_m,
-              mean_of(points), mean_of(rough), deviation_of(rough), mean_of(fine), deviation_of(fine),
-              median_of(millimetres), *std::max_element(millimetres.begin(), millimetres.end()),
+  std::printf("| %s | %.0f m | %.2f | %.2f ± %.2f | %.2f ± %.2f | %.1f (worst %.1f) | %.0f of %zu |\n",
+              world.empty() ? "**all**" : world.c_str(), distance_m, mean_of(points), mean_of(rough),
+              deviation_of(rough), mean_of(fine), deviation_of(fine), median_of(millimetres),
+              *std::max_element(millimetres.begin(), millimetres.end()),
               mean_of(accepted) * static_cast<double>(runs.size()), runs.size());
+}
+
+void print_run(const std::string& world, int seed, double distance_m, const Run& run) {
+  std::printf("%s %d, %.0f m: %s, p %.3f, overlap %.2f, %.1f mm, %.3f degrees. %s\n", world.c_str(), seed, distance_m,
+              run.result.verdict == Verdict::accepted ? "accepted" : "refused", run.result.probability,
+              run.result.overlap, 1000.0 * run.error.metres, run.error.radians * 57.29577951,
+              run.result.reason.c_str());
+  std::fflush(stdout);
+}
+
+Runs run_all(const TableOptions& options, double distance_m) {
+  Runs runs;
+  for (const std::string& world : options.worlds) {
+    for (int seed = 1; seed <= options.runs; ++seed) {
+      try {
+        const Run run = run_pair(world, options.thin, distance_m, static_cast<std::uint64_t>(seed));
+        print_run(world, seed, distance_m, run);
+        runs[world].push_back(run);
+        if (options.worlds.size() > 1) runs[""].push_back(run);
+      } catch (const InputError& none) {
+        std::printf("%s %d, %.0f m: %s\n", world.c_str(), seed, distance_m, none.what());
+      }
+    }
+  }
+  return runs;
 }
 
 }  // namespace
 
 void print_paper_table(const TableOptions& options) {
-  std::vector<std::vector<Run>> cases;
   const std::vector<double> distances = {10.0, 35.0};
-  for (const double distance_m : distances) {
-    cases.emplace_back();
-    for (int seed = 1; seed <= options.runs; ++seed) {
-      const Run run = run_pair(options, distance_m, static_cast<std::uint64_t>(seed));
-      std::printf("%s %d, %.0f m: %s, p %.3f, overlap %.2f, %.1f mm, %.3f degrees. %s\n", options.world.c_str(), seed,
-                  distance_m, run.result.verdict == Verdict::accepted ? "accepted" : "refused", run.result.probability,
-                  run.result.overlap, 1000.0 * run.error.metres, run.error.radians * 57.29577951,
-                  run.result.reason.c_str());
-      std::fflush(stdout);
-      cases.back().push_back(run);
-    }
+  std::vector<Runs> cases;
+  for (const double distance_m : distances) cases.push_back(run_all(options, distance_m));
+  std::printf(
+      "\n| world | apart | million points a sweep | FPFH, CPU s | ICP, CPU s | error, mm, median | accepted |\n");
+  std::printf("|---|---|---|---|---|---|---|\n");
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    for (const auto& [world, runs] : cases[i]) print_case(world, distances[i], runs);
   }
-  std::printf("\n| apart | million points a sweep | FPFH, CPU s | ICP, CPU s | error, mm, median | accepted |\n");
-  std::printf("|---|---|---|---|---|---|\n");
-  for (std::size_t i = 0; i < cases.size(); ++i) print_case(distances[i], cases[i]);
 }
 
 }  // namespace scanway::bench

@@ -37,11 +37,14 @@ std::optional<Place> place_at_distance(const std::vector<Place>& places, std::si
 
 }  // namespace
 
-SimulatedCloud simulate_cloud(const RayCaster& caster, const Pose& X_world_base, int thin, std::uint64_t seed) {
+SimulatedCloud simulate_cloud(const RayCaster& caster, const Pose& X_world_base, int thin, std::uint64_t seed,
+                              double slower) {
+  Robot turning = robot();
+  turning.pan.speed_rad_s /= slower;
   SweepConfig config;
   config.seed = seed;
   config.thin = thin;
-  Sweep sweep = points_of(simulate_lines(caster, robot(), X_world_base, config), robot()).sweep;
+  Sweep sweep = points_of(simulate_lines(caster, turning, X_world_base, config), turning).sweep;
   return {std::move(sweep.cloud), sweep.origin, X_world_base, Tracker(robot().tracker, X_world_base, seed).mean()};
 }
 
@@ -57,7 +60,8 @@ RegistrationConfig simulated_limits(std::uint64_t seed) {
   return {robot().laser.min_range_m, robot().laser.max_range_m, seed};
 }
 
-SimulatedPair simulate_pair(const std::string& world_name, std::uint64_t seed, double distance_m, int thin) {
+SimulatedPair simulate_pair(const std::string& world_name, std::uint64_t seed, double distance_m, int thin,
+                            double slower) {
   const World world = make_world(world_name, seed);
   const auto places = places_on_route(world, static_cast<int>(kRouteSpan / kStep), kStep, 1.0);
   Random random(seed * 7919 + 17);
@@ -68,8 +72,8 @@ SimulatedPair simulate_pair(const std::string& world_name, std::uint64_t seed, d
     const Stand target = turned_stand(world, places[first], random), source = turned_stand(world, *second, random);
     if (!source.problem.empty() || !target.problem.empty()) continue;
     const RayCaster caster = caster_of(world);
-    return {simulate_cloud(caster, source.X_world_base, thin, seed * 2),
-            simulate_cloud(caster, target.X_world_base, thin, seed * 2 + 1)};
+    return {simulate_cloud(caster, source.X_world_base, thin, seed * 2, slower),
+            simulate_cloud(caster, target.X_world_base, thin, seed * 2 + 1, slower)};
   }
   throw InputError("The route of " + world_name + " has no two places so far apart");
 }

@@ -15,9 +15,10 @@ struct SimulatedCloud {
   Eigen::Quaterniond R_tracker = Eigen::Quaterniond::Identity();
 };
 
-/// Only every thin-th line of the sweep, and of it every thin-th beam.
+/// Only every thin-th line of the sweep, and of it every thin-th beam. `slower`: the pan turns so many times slower
+/// than the robot's, for as many more lines.
 SimulatedCloud simulate_cloud(const simulator::RayCaster& caster, const Pose& X_world_base, int thin,
-                              std::uint64_t seed);
+                              std::uint64_t seed, double slower = 1.0);
 
 /// What the robot's tracker says of a pair from its two readings.
 OrientationPrior tracker_prior(const Eigen::Quaterniond& source, const Eigen::Quaterniond& target);
@@ -33,6 +34,7 @@ struct SimulatedPair {
 
 /// Two sweeps on the world's route, `distance_m` apart (to half a metre, as the crow flies), at any headings.
 /// Throws InputError when the route has no two such places.
-SimulatedPair simulate_pair(const std::string& world, std::uint64_t seed, double distance_m, int thin);
+SimulatedPair simulate_pair(const std::string& world, std::uint64_t seed, double distance_m, int thin,
+                            double slower = 1.0);
 
 }  // namespace scanway::bench

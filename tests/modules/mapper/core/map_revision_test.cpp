@@ -59,8 +59,8 @@ struct Products {
   explicit Products(const Map& map)
       : cloud(map.cloud().centroids()), octomap(map.occupancy_tree().ot_bytes()), tiles(map.cost_map().tiles) {}
   bool operator==(const Products& other) const {
-    return cloud.points == other.cloud.points && cloud.intensity == other.cloud.intensity && octomap == other.octomap &&
-           tiles == other.tiles;
+    return cloud.points == other.cloud.points && cloud.normals == other.cloud.normals &&
+           cloud.intensity == other.cloud.intensity && octomap == other.octomap && tiles == other.tiles;
   }
   PointCloud cloud;
   std::string octomap;
@@ -104,6 +104,40 @@ TEST(MapRevision, AnySweepOfTenIsWithdrawnAndPutBack) {
     EXPECT_EQ(change.version, ++version);
     EXPECT_TRUE(Products(map) == all) << "with sweep " << i << " put back";
     EXPECT_TRUE(known == all.tiles) << "with sweep " << i << " put back";
+  }
+}
+
+/// Cells about (x, y) that are occupied in one and not in the other.
+int occupied_beyond(const Map& one, const Map& other, double x, double y) {
+  int count = 0;
+  const double cell_m = one.cost_map().resolution_m;
+  const auto middle_x = static_cast<std::int32_t>(x / cell_m), middle_y = static_cast<std::int32_t>(y / cell_m);
+  for (std::int32_t i = middle_x - 12; i <= middle_x + 12; ++i) {
+    for (std::int32_t j = middle_y - 12; j <= middle_y + 12; ++j) {
+      const bool there = one.cost_map().state({i, j}) == CellState::occupied;
+      count += there && other.cost_map().state({i, j}) != CellState::occupied ? 1 : 0;
+    }
+  }
+  return count;
+}
+
+TEST(MapRevision, ABoxOrAPersonThatLeftIsGoneWithTheNextSweep) {
+  const double x = 0.9, y = -1.0;
+  const Eigen::Vector3d sensor(-0.6, 0.2, 1.3);
+  const auto seen = [&sensor](const testing::Scene& scene, std::uint64_t seed) {
+    return testing::scan(scene, sensor, 1.0, 1.0, 0.005, seed);
+  };
+  for (const Eigen::Vector3d& size : {Eigen::Vector3d(0.5, 0.5, 0.5), Eigen::Vector3d(0.3, 0.4, 1.75)}) {
+    testing::Scene scene = testing::furnished_room();
+    const Sweep without = seen(scene, 2);
+    scene.boxes.push_back(
+        {{x - 0.5 * size.x(), y - 0.5 * size.y(), 0.0}, {x + 0.5 * size.x(), y + 0.5 * size.y(), size.z()}});
+    Map map(with_large_cells(), 1), never(with_large_cells(), 1);
+    never.merge(without, Pose::Identity());
+    map.merge(seen(scene, 1), Pose::Identity());
+    EXPECT_GT(occupied_beyond(map, never, x, y), 5) << size.transpose();
+    map.merge(without, Pose::Identity());
+    EXPECT_EQ(occupied_beyond(map, never, x, y), 0) << size.transpose();
   }
 }
 

@@ -1,5 +1,6 @@
 #include "modules/mapper/core/mapper.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
@@ -187,6 +188,39 @@ TEST(Mapper, AnotherSessionIsFoundInTheMapWhateverItsHeading) {
   Sweep next = sweep_at(0.9, -0.1, 1.0, "next");
   next.R_world_sweep = Eigen::Quaterniond(rotation_about_z(2.0)) * *next.R_world_sweep;
   EXPECT_EQ(mapper.add(next).verdict, Verdict::accepted);
+}
+
+/// Whether a registration to or from the sweep still says anything.
+bool tells(const Mapper& mapper, std::size_t sweep) {
+  const std::vector<GraphEdge>& edges = mapper.graph().graph().edges;
+  return std::any_of(edges.begin(), edges.end(),
+                     [&](const GraphEdge& edge) { return !edge.seam && (edge.from == sweep || edge.to == sweep); });
+}
+
+TEST(Mapper, NothingIsRegisteredToASweepThatIsWithdrawn) {
+  Mapper mapper(Robot{});
+  mapper.add(sweep_at(0.3, -0.2, 0.0, "first"));
+  mapper.add(sweep_at(1.0, 0.4, 0.3, "second"));
+  const Pose held = mapper.graph().sweeps()[0].X_map_sweep;
+  ASSERT_TRUE(mapper.withdraw("second").done);
+  const SweepResult third = mapper.add(sweep_at(1.0, 0.4, 0.3, "third"));
+  ASSERT_EQ(third.verdict, Verdict::accepted) << third.reason;
+  EXPECT_EQ(third.target, "first") << "though it was taken where the second was";
+  EXPECT_FALSE(tells(mapper, 1));
+  EXPECT_EQ(mapper.graph().sweeps()[0].X_map_sweep.matrix(), held.matrix());
+
+  ASSERT_TRUE(mapper.withdraw("first").done);
+  const SweepResult fourth = mapper.add(sweep_at(0.5, 0.3, -0.4, "fourth"));
+  ASSERT_EQ(fourth.verdict, Verdict::accepted) << fourth.reason;
+  EXPECT_EQ(fourth.target, "third");
+  EXPECT_FALSE(tells(mapper, 0));
+  EXPECT_LT((mapper.graph().sweeps()[2].X_map_sweep.matrix() - third.X_map_sweep.matrix()).norm(), 1e-6);
+
+  ASSERT_TRUE(mapper.withdraw("third").done && mapper.withdraw("fourth").done);
+  const SweepResult fifth = mapper.add(sweep_at(0.3, -0.2, 0.0, "fifth"));
+  EXPECT_EQ(fifth.verdict, Verdict::accepted);
+  EXPECT_EQ(fifth.target, "") << "the map begins anew";
+  EXPECT_EQ(mapper.add(sweep_at(1.0, 0.4, 0.3, "sixth")).target, "fifth");
 }
 
 TEST(Map, PaperProjectionLeavesNothingUnknownWithinWhatWasSeen) {

@@ -7,6 +7,7 @@
 
 #include "common/bus/channels.h"
 #include "common/bus/memory_bus.h"
+#include "common/files/input_error.h"
 #include "common/messages/codec.h"
 #include "common/messages/imu_message.h"
 #include "common/messages/objects.h"
@@ -61,10 +62,11 @@ class Bench {
     node_.settle();
     bus_.dispatch();
   }
-  void withdraw(const std::string& name, Utime given = kGiven) {
+  void withdraw(const std::string& name, Utime given = kGiven) { order(map_command_t::WITHDRAW, name, given); }
+  void order(std::int8_t what, const std::string& name, Utime given) {
     map_command_t command{};
     command.utime = given;
-    command.command = map_command_t::WITHDRAW;
+    command.command = what;
     command.sweep_name = name;
     bus_.publish(channel::kMapCommand.name, encode(command), given);
     bus_.dispatch();
@@ -107,6 +109,32 @@ TEST(MapCommands, AWithdrawnSweepIsGoneAndThatIsAnsweredOnce) {
   }
   bench.send_sweep(2);
   EXPECT_EQ(bench.state().map_version, 4);
+}
+
+TEST(MapCommands, TheMapIsSavedOnceAndItIsSaidWhyNot) {
+  Bench bench;
+  bench.send_sweep(0);
+  bench.order(map_command_t::SAVE, "nobody", kGiven);  // As in replay: nobody saves, nobody answers.
+  EXPECT_TRUE(bench.answers.empty());
+  std::vector<std::string> saved;
+  bench.node().on_save([&saved](const std::string& name) {
+    if (name == "full") throw InputError("the disk is full");
+    saved.push_back(name);
+  });
+  for (int said = 0; said < 3; ++said) bench.order(map_command_t::SAVE, "monday", kGiven + 1);
+  bench.order(map_command_t::SAVE, "full", kGiven + 2);
+  EXPECT_EQ(saved, std::vector<std::string>{"monday"});
+  ASSERT_EQ(bench.answers.size(), 2u);
+  EXPECT_TRUE(bench.answers[0].done);
+  EXPECT_EQ(bench.answers[0].map_version, 1);
+  EXPECT_FALSE(bench.answers[1].done);
+  EXPECT_EQ(bench.answers[1].reason, "the disk is full");
+
+  Bench replay;
+  replay.node().use(bench.answers);
+  replay.send_sweep(0);
+  EXPECT_TRUE(replay.answers.empty());
+  EXPECT_EQ(replay.state().map_digest, bench.state().map_digest);
 }
 
 TEST(MapCommands, ALogsAnswersSayWhereACommandBelongsWheneverItComes) {

@@ -5,8 +5,8 @@
 
 #include "common/bus/channels.h"
 #include "common/files/input_error.h"
-#include "modules/replay/map_folder.h"
-#include "modules/replay/map_products.h"
+#include "modules/mapper/saving/map_folder.h"
+#include "modules/mapper/saving/map_products.h"
 #include "modules/replay/replay.h"
 #include "tests/modules/replay/verify/session_log.h"
 

@@ -28,7 +28,7 @@ MapPoints random_points(std::size_t n, double extent, std::uint64_t seed, bool w
 }
 
 bool same_bytes(const PointCloud& a, const PointCloud& b) {
-  return a.size() == b.size() && a.intensity.size() == b.intensity.size() &&
+  return a.size() == b.size() && a.intensity.size() == b.intensity.size() && a.normals == b.normals &&
          std::memcmp(a.points.data(), b.points.data(), a.size() * sizeof(a.points[0])) == 0 &&
          std::memcmp(a.intensity.data(), b.intensity.data(), a.intensity.size() * sizeof(float)) == 0;
 }
@@ -167,6 +167,7 @@ TEST(VoxelCloud, ItsTilesAreAllOfIt) {
   for (const VoxelCloud::TileNumber tile : cloud.tiles()) {
     const PointCloud part = cloud.centroids_of(tile);
     together.points.insert(together.points.end(), part.points.begin(), part.points.end());
+    together.normals.insert(together.normals.end(), part.normals.begin(), part.normals.end());
     together.intensity.insert(together.intensity.end(), part.intensity.begin(), part.intensity.end());
   }
   EXPECT_GT(cloud.tiles().size(), 20u);

@@ -12,11 +12,7 @@ namespace {
 
 using registration::random_point;
 
-PointCloud cloud_of(registration::Points points) {
-  PointCloud cloud;
-  cloud.points = std::move(points);
-  return cloud;
-}
+PointCloud cloud_of(registration::Points points) { return {std::move(points), {}, {}}; }
 
 RegistrationResult register_clouds(const PointCloud& source, const PointCloud& target,
                                    const Eigen::Vector3d& origin = Eigen::Vector3d::Zero(),
@@ -49,8 +45,9 @@ std::vector<PointCloud> hopeless_clouds() {
 TEST(Registration, RefusesWhatCannotBeRegisteredAndSaysWhy) {
   const PointCloud room = cloud_of(registration::room(0.08f));
   for (const PointCloud& cloud : hopeless_clouds()) {
-    for (const RegistrationResult& result : {register_clouds(cloud, room), register_clouds(room, cloud),
-                                             register_clouds(cloud, room, Eigen::Vector3d::Zero(), std::nullopt)}) {
+    for (const RegistrationResult& result :
+         {register_clouds(cloud, room), register_clouds(room, cloud),
+          register_clouds(cloud, room, Eigen::Vector3d::Zero(), std::nullopt), register_clouds(cloud, cloud)}) {
       EXPECT_EQ(result.verdict, Verdict::refused);
       EXPECT_FALSE(result.reason.empty());
       EXPECT_LE(result.probability, 0.5) << result.reason;
@@ -82,6 +79,21 @@ TEST(Registration, FindsARoomMovedAndTurnedAlsoOneKilometreFromTheOrigin) {
     EXPECT_LT((result.T_target_source * origin - truth * origin).norm(), 0.01);
     EXPECT_LT(rotation_angle(truth.linear().transpose() * result.T_target_source.linear()), 0.003);
   }
+}
+
+TEST(Registration, PointsThatAreNoneAndPointsTwiceDoNotTurnARoomAway) {
+  const registration::Points room = registration::room(0.06f);
+  const Eigen::Vector3f shift(0.5f, 0.3f, 0.0f);
+  PointCloud source = cloud_of(room), target = cloud_of(room);
+  for (Eigen::Vector3f& p : target.points) p += shift;
+  for (std::size_t i = 0; i < room.size(); i += 3) {
+    target.points.push_back(target.points[i]);
+    source.points[i] = {std::nanf(""), source.points[i].y(), std::numeric_limits<float>::infinity()};
+    source.points.push_back({1e30f, -1e30f, 0.0f});
+  }
+  const RegistrationResult result = register_clouds(source, target);
+  EXPECT_EQ(result.verdict, Verdict::accepted) << result.reason;
+  EXPECT_LT((result.T_target_source.translation() - shift.cast<double>()).norm(), 0.01);
 }
 
 TEST(Registration, SameBytesForEveryNumberOfThreads) {

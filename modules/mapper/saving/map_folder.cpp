@@ -1,4 +1,4 @@
-#include "modules/replay/map_folder.h"
+#include "modules/mapper/saving/map_folder.h"
 
 #include "common/config/robot_file.h"
 

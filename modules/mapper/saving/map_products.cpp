@@ -1,4 +1,4 @@
-#include "modules/replay/map_products.h"
+#include "modules/mapper/saving/map_products.h"
 
 #include <span>
 #include <string_view>
