@@ -5,6 +5,7 @@
 #include "modules/mapper/core/costmap/drop_view.h"
 #include "modules/mapper/core/costmap/obstacle_returns.h"
 #include "modules/mapper/core/costmap/sweep_view.h"
+#include "modules/mapper/core/costmap/vegetation.h"
 #include "modules/mapper/core/ground/ground_surface.h"
 
 namespace scanway {
@@ -20,6 +21,11 @@ GroundSurfaceConfig surface_config(const Robot& robot) {
 SweepViewConfig view_config(const Robot& robot) {
   return {robot.body.height_m,    robot.body.climbable_step_m, robot.laser.range_sigma_m,
           robot.laser.divergence, robot.body.climbable_slope,  kCostMapReach};
+}
+
+std::optional<SoftGround> soft_ground(const MapPoints& points, const GroundSurface& surface, const Robot& robot) {
+  if (robot.mapping.vegetation == Vegetation::ignore) return std::nullopt;
+  return SoftGround(GroundPatches(points, surface), robot.laser.range_sigma_m);
 }
 
 /// The directions, in the map, of the beams that met nothing.
@@ -72,11 +78,16 @@ Look look(const MapPoints& points, const Sweep& sweep, const Pose& X_map_sweep, 
 
   begin_stage(stages, "cost_map");
   const SweepViewConfig config = view_config(robot);
-  const std::vector<ObstacleReturn> obstacles = obstacle_returns(points, surface, config);
+  std::vector<ObstacleReturn> obstacles = obstacle_returns(points, surface, config);
+  const std::optional<SoftGround> soft = soft_ground(points, surface, robot);
+  if (soft && robot.mapping.vegetation == Vegetation::pass) leave_out_grass(obstacles, *soft);
   const SweepView view(points, missing_beams(sweep, X_map_sweep), surface, obstacles, config);
   const DropView drops(points, surface, config);
   seen.evidence =
       gather_evidence(obstacles, surface, view, drops, robot.body, X_map_sweep, robot.mapping.cost_map_resolution_m);
+  if (soft && robot.mapping.vegetation == Vegetation::avoid) {
+    occupy_soft_ground(seen.evidence, *soft, robot, X_map_sweep);
+  }
   return seen;
 }
 

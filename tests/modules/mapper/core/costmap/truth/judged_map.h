@@ -32,7 +32,7 @@ struct JudgedMap {
   tools::MapComparison counts;
 };
 
-/// All sweeps in their order, as Map lays them over each other.
-JudgedMap judge(const WorldSweeps& taken);
+/// All sweeps in their order, as Map lays them over each other, with what the robot file says of mapping.
+JudgedMap judge(const WorldSweeps& taken, const Robot::Mapping& mapping = {});
 
 }  // namespace scanway::testing

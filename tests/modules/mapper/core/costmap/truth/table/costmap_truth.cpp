@@ -73,16 +73,21 @@ void print_row(const std::string& name, const tools::CellCounts& c) {
 int main(int argc, char** argv) {
   using namespace scanway::testing;
   if (argc < 4) {
-    std::puts("costmap_truth WORLD SEED THIN [FOLDER for a picture]; thin 1: full sweeps, n: every n-th line and beam");
+    std::puts(
+        "costmap_truth WORLD SEED THIN [--paper] [FOLDER for a picture]; thin 1: full sweeps, n: every n-th line and "
+        "beam; --paper: the map that the robot file's paper_projection makes");
     return 2;
   }
+  scanway::Robot::Mapping mapping;
+  mapping.paper_projection = argc > 4 && argv[4] == std::string("--paper");
+  const int folder = mapping.paper_projection ? 5 : 4;
   SweepPlan plan;
   plan.thin = std::stoi(argv[3]);
-  const std::string name = std::string(argv[1]) + " " + argv[2];
-  const JudgedMap judged = judge(take_sweeps(argv[1], std::stoull(argv[2]), plan));
+  const std::string name = std::string(argv[1]) + " " + argv[2] + (mapping.paper_projection ? ", paper" : "");
+  const JudgedMap judged = judge(take_sweeps(argv[1], std::stoull(argv[2]), plan), mapping);
   print_row(name + ", two", judged.counts.two);
   print_row(name + ", one", judged.counts.one);
   std::printf("| %s, none | %lld | called free %lld |\n", name.c_str(), static_cast<long long>(judged.counts.unseen),
               static_cast<long long>(judged.counts.unseen_called_free));
-  if (argc > 4) draw(judged, std::string(argv[4]) + "/" + argv[1] + "-" + argv[2] + ".png");
+  if (argc > folder) draw(judged, std::string(argv[folder]) + "/" + argv[1] + "-" + argv[2] + ".png");
 }
