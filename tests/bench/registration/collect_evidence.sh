@@ -1,7 +1,7 @@
 #!/bin/sh
 # Evidence for fit_verdict.py: FOLDER/real.csv, train_*.csv and test_*.csv, a file a world and seed; what is there stays.
 #   collect_evidence.sh build/bin/registration_evidence ../shared/data FOLDER FIRST_SEED LAST_SEED
-# A seed takes some 2 to 4 CPU minutes for about 500 pairs. Two at a time: other seeds, the same folder.
+# A seed takes some 4 CPU minutes for about 500 pairs. Two at a time: other seeds, the same folder.
 set -e
 program=$1 data=$2 folder=$3 first=$4 last=$5
 train="yard hall street rubble corridor"

@@ -78,6 +78,7 @@ std::optional<Conclusion> conclude(const std::vector<Candidate>& candidates, con
   Evidence& evidence = conclusion.evidence;
   evidence.margin = margin_of(best.candidate, finalists, candidates);
   evidence.held_fit = hold.fit;
+  evidence.facing = hold.facing[0];
   evidence.sigma_m = sigma_m(last.covariance);
   evidence.sigma_rad = sigma_rad(last.covariance);
   evidence.matches = last.matches;
@@ -98,6 +99,12 @@ RegistrationResult result_of(const Conclusion& conclusion, const PreparedScan::D
   return result;
 }
 
+/// Whether the scans agree at the pose and the scene leaves a motion open all the same: no search closes it.
+bool slides(const Attempt& attempt) {
+  return attempt.conclusion && !attempt.conclusion->open_directions.empty() &&
+         !contradicts(attempt.conclusion->evidence.agreement);
+}
+
 }  // namespace
 
 Attempt attempt_registration(const PreparedScan::Data& source, const PreparedScan::Data& target,
@@ -107,7 +114,8 @@ Attempt attempt_registration(const PreparedScan::Data& source, const PreparedSca
   Attempt attempt;
   attempt.result.reason = "No pose was found that the scans' features agree on.";
   std::vector<Candidate> candidates;
-  for (const SearchWidth width : {SearchWidth::mutual, SearchWidth::wide}) {
+  for (const SearchWidth width : {SearchWidth::mutual, SearchWidth::wide, SearchWidth::thorough}) {
+    if (width == SearchWidth::thorough && (!bounds || slides(attempt))) break;
     std::vector<Candidate> more = find_candidates(source, target, bounds, width, stages);
     candidates.insert(candidates.end(), more.begin(), more.end());
     candidates = rank_candidates(std::move(candidates));

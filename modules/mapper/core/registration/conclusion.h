@@ -22,7 +22,7 @@ struct Attempt {
 };
 
 /// Candidates, the last ICP, the verdict: first with the matches that answer each other, and if that is refused with
-/// many more. Both scans without defect.
+/// many more; most of all with a tracker, which tells far more poses apart. Both scans without defect.
 Attempt attempt_registration(const PreparedScan::Data& source, const PreparedScan::Data& target,
                              const std::optional<OrientationPrior>& prior, StageListener* stages);
 

@@ -1,12 +1,12 @@
 #include "modules/mapper/core/registration/consensus.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <utility>
 
 #include "common/math/repeatable.h"
 #include "common/parallel/blocks.h"
+#include "modules/mapper/core/registration/compatibility.h"
 #include "modules/mapper/core/registration/rigid.h"
 
 namespace scanway::registration {
@@ -20,25 +20,6 @@ constexpr std::size_t kMinVotes = 4;
 struct Oriented {
   Eigen::Vector3f p, q;  ///< Source (turned by the tracker's rotation, if there is one) and target point.
   Eigen::Vector3f n, m;  ///< Their normals.
-};
-
-/// Which matches are compatible with which: a symmetric matrix of bits.
-class Compatibility {
- public:
-  explicit Compatibility(std::size_t n) : size_(n), words_((n + 63) / 64), bits_(n * words_, 0) {}
-  std::size_t size() const { return size_; }
-  std::uint64_t* row(std::size_t i) { return bits_.data() + i * words_; }
-  const std::uint64_t* row(std::size_t i) const { return bits_.data() + i * words_; }
-  bool test(std::size_t i, std::size_t j) const { return row(i)[j / 64] >> (j % 64) & 1u; }
-  std::size_t common(std::size_t i, std::size_t j) const {
-    std::size_t count = 0;
-    for (std::size_t w = 0; w < words_; ++w) count += static_cast<std::size_t>(std::popcount(row(i)[w] & row(j)[w]));
-    return count;
-  }
-
- private:
-  std::size_t size_, words_;
-  std::vector<std::uint64_t> bits_;
 };
 
 struct PairTest {
@@ -77,16 +58,17 @@ std::vector<Oriented> orient(const Keypoints& source, const Keypoints& target, c
   return oriented;
 }
 
+/// Half of the matrix by the test, the other half mirrored.
 Compatibility build(const std::vector<Oriented>& matches, const PairTest& compatible) {
   Compatibility matrix(matches.size());
   for_blocks(matches.size(), 32, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t i = begin; i < end; ++i) {
-      std::uint64_t* row = matrix.row(i);
-      for (std::size_t j = 0; j < matches.size(); ++j) {
-        if (j != i && compatible(matches[i], matches[j])) row[j / 64] |= std::uint64_t{1} << (j % 64);
+      for (std::size_t j = i + 1; j < matches.size(); ++j) {
+        if (compatible(matches[i], matches[j])) matrix.set(i, j);
       }
     }
   });
+  matrix.mirror();
   return matrix;
 }
 

@@ -39,13 +39,23 @@ std::vector<Candidate> look(std::vector<Candidate> candidates, const PreparedSca
   return rank_candidates(std::move(candidates));
 }
 
-/// The wide search asks more matches; without a tracker the right pose is one of many that a few of them agree on.
+/// The wider searches ask more matches; the right pose may be one of many that a few of them agree on.
 ConsensusOptions options_of(SearchWidth width, bool tracked) {
   ConsensusOptions options;
-  if (width == SearchWidth::mutual) return options;
-  options.max_matches = 3000;
-  options.max_hypotheses = tracked ? 32 : 64;
-  if (!tracked) options.max_seeds = options.max_matches;
+  switch (width) {
+    case SearchWidth::mutual:
+      break;
+    case SearchWidth::wide:
+      options.max_matches = 3000;
+      options.max_hypotheses = tracked ? 32 : 64;
+      if (!tracked) options.max_seeds = options.max_matches;
+      break;
+    case SearchWidth::thorough:
+      options.max_matches = 6000;
+      options.max_seeds = 2000;
+      options.max_hypotheses = 160;
+      break;
+  }
   return options;
 }
 

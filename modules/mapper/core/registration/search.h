@@ -13,7 +13,9 @@ struct Candidate {
   Evidence evidence;
 };
 
-enum class SearchWidth { mutual, wide };
+/// Which matches are asked: those that answer each other; the nearest of each source keypoint; and those of the
+/// target's too, of which many more poses are tried.
+enum class SearchWidth { mutual, wide, thorough };
 
 /// The bounds of the search about a tracker's rotation: three deviations, and never less than what a tracker may be
 /// off by near iron or after a knock.

@@ -13,17 +13,22 @@ namespace scanway::registration {
 namespace {
 
 constexpr double kAcceptedProbability = 0.85;
-constexpr double kOpenProbability = 0.3;  // with an open direction: the share that was right all the same
+constexpr double kOpenProbability = 0.2;  // with an open direction: the share that was right all the same
 constexpr double kOpenShare = 0.010;      // of the information: the noise of normals alone gives up to 0.009
-constexpr double kMinFacing = 8.0;        // surfaces that face a direction: what little is known of it is then no noise
-constexpr double kOpenLever = 0.4;    // metres: at this lever surfaces that are 3 mm off turn the scan by 0.4 degrees
-constexpr double kMinOverlap = 0.22;  // below, too little of either scan bears the answer
+constexpr double kMinFacing = 16.0;       // surfaces that face a direction: what little is known of it is then no noise
+constexpr double kOpenLever = 0.4;   // metres: at this lever surfaces that are 3 mm off turn the scan by 0.4 degrees
+constexpr double kMinOverlap = 0.3;  // below, too little of either scan bears the answer
 
 constexpr double kMaxConflict = 0.06;  // things that moved between two scans make up to half of it
+
+constexpr double kTrackedMargin = 1.0;  // with a tracker all rivals are found: a larger margin says no more
 
 constexpr double kRightMetres = 0.1, kRightRadians = 0.5 * repeatable::kPi / 180.0;
 
 double logistic(double z) { return 1.0 / (1.0 + repeatable::exp(-z)); }
+
+/// What n surfaces that agree, and none that does not, say of the next: the rule of succession with Jeffreys' prior.
+double succession(double n) { return (n + 0.5) / (n + 1.0); }
 
 std::string format(const char* text, double a, double b = 0.0, double c = 0.0) {
   char buffer[200];
@@ -64,15 +69,18 @@ double rank_of(const Evidence& e) {
   return -10.542 + 2.543 * e.agreement.surface_fit - 2.494 * repeatable::log(e.agreement.conflict + 0.003);
 }
 
-// Both models fitted by tests/bench/registration/fit_verdict.py.
+// Both models fitted by tests/bench/registration/fit_verdict.py. Without a tracker the margin says less: a hall turned
+// by half a turn may fit well where the right pose shows too little to be found. Of two poses that exclude each other
+// the better cannot be surer than the margin, which is in log-odds.
 double probability_right(const Evidence& e) {
-  const double place = -8.33 - 1.64 * repeatable::log(e.agreement.conflict + 0.003) + 1.86 * e.agreement.surface_fit -
-                       0.55 * repeatable::log(e.held_fit + 0.01) +
-                       1.34 * std::clamp(e.margin, -kMaxMargin, kMaxMargin) - 4.06 * (e.tracked ? 0.0 : 1.0);
+  const double margin = std::clamp(e.margin, -kMaxMargin, kMaxMargin);
+  const double place = -12.18 - 2.00 * repeatable::log(e.agreement.conflict + 0.003) + 0.33 * e.agreement.surface_fit -
+                       1.10 * repeatable::log(e.held_fit + 0.01) + 1.04 * margin +
+                       (e.tracked ? 3.06 * std::min(margin, kTrackedMargin) : -0.34);
   const double sigma = std::max(e.sigma_m / kRightMetres, e.sigma_rad / kRightRadians);
-  const double precise = -8.19 - 2.13 * repeatable::log(std::min(sigma, 10.0) + 0.003) +
-                         1.71 * repeatable::log(static_cast<double>(e.matches) + 1.0);
-  return logistic(place) * logistic(precise);
+  const double precise = -6.06 - 2.22 * repeatable::log(std::min(sigma, 10.0) + 0.003) +
+                         1.42 * repeatable::log(static_cast<double>(e.matches) + 1.0);
+  return std::min({logistic(place), succession(e.facing), logistic(e.margin)}) * logistic(precise);
 }
 
 Observability observe(const IcpResult& icp) {
@@ -97,6 +105,8 @@ std::vector<std::string> open_directions(const Observability& observability, con
   return open;
 }
 
+bool contradicts(const Agreement& agreement) { return agreement.conflict > kMaxConflict; }
+
 void decide(const Evidence& evidence, RegistrationResult& result) {
   result.probability = probability_right(evidence);
   const Agreement& a = evidence.agreement;
@@ -109,7 +119,7 @@ void decide(const Evidence& evidence, RegistrationResult& result) {
   } else if (std::min(a.overlap, a.overlap_back) < kMinOverlap) {
     result.probability = std::min(result.probability, 0.5);
     result.reason = "The scans share too little: " + figures + ".";
-  } else if (a.conflict > kMaxConflict) {
+  } else if (contradicts(a)) {
     result.probability = std::min(result.probability, 0.5);
     result.reason = "Each scan saw through what the other shows: " + figures + ".";
   } else if (result.probability >= kAcceptedProbability) {

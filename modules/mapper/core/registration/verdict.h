@@ -19,6 +19,7 @@ struct Evidence {
   bool tracked = false;        ///< Whether a tracker's orientation bounded the search.
   double margin = kMaxMargin;  ///< Rank less that of the second-best distinct pose.
   double held_fit = 0.0;       ///< See Hold.
+  double facing = 0.0;         ///< See Hold, along the direction that is known least.
   double sigma_m = 1.0;        ///< Of the translation and the rotation, by the last step.
   double sigma_rad = 0.1;
   std::size_t matches = 0;     ///< That these rest on: of few, the deviations are not known well themselves.
@@ -30,7 +31,9 @@ struct Evidence {
 double rank_of(const Evidence& evidence);
 
 /// The probability that the pose is right within 0.1 m and 0.5 degrees: that it is the right one of the places that
-/// look alike, by how well the scans agree there and elsewhere, times that it is precise enough, by the last step.
+/// look alike, by how well the scans agree there and elsewhere, times that it is precise enough, by the last step. It
+/// is never surer than the second-best pose allows, nor than the number of surfaces that hold it where it is held
+/// least.
 double probability_right(const Evidence& evidence);
 
 /// What the matched surfaces know of each motion while all others are free.
@@ -44,6 +47,9 @@ Observability observe(const IcpResult& icp);
 /// The motions that the scene leaves open, by name: of which little is known, and what is known may be noise.
 /// `facing`: see Hold, along the axes of translation.
 std::vector<std::string> open_directions(const Observability& observability, const Eigen::Vector3d& facing);
+
+/// Whether either scan saw through too much of what the other shows.
+bool contradicts(const Agreement& agreement);
 
 /// Accepted or refused, and one sentence why; by `result.open_directions`, too.
 void decide(const Evidence& evidence, RegistrationResult& result);
