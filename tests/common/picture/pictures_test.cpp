@@ -130,7 +130,7 @@ TEST_F(Pictures, StrangeInputGivesAPicture) {
                                                             {{1, 1, 1}, {1, 1, 1}},
                                                             {{-kHuge, 0, 0}, {kHuge, 1, 0}}};
   for (const auto& points : clouds) {
-    draw_cloud_from_above(path("cloud.png"), {points, {}}, 2.0);
+    draw_cloud_from_above(path("cloud.png"), {points, {}, {}}, 2.0);
     EXPECT_GT(Png(path("cloud.png")).width, 100);
   }
   draw_cost_map(path("map.png"), CostMap{});

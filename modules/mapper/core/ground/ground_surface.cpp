@@ -1,21 +1,16 @@
 #include "modules/mapper/core/ground/ground_surface.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "common/math/repeatable.h"
 #include "modules/mapper/core/ground/column_offsets.h"
 
 namespace scanway {
 namespace {
 
-constexpr double kUnit = 1e-4;           // of heights
-constexpr double kMaxHeight = 3.0;       // of points above or below the ground plane that may yet be ground
-constexpr double kStartRange = 2.0;      // floor this near to the robot is what it stands on
-constexpr double kShrinkage = 0.01;      // m^2: draws a fitted slope towards the ground plane's where points are few
-constexpr double kMaxDisagreeing = 0.1;  // of the points around: stray returns do not take the floor away
-constexpr int kFillRings = 50;           // columns: how far a height is carried over to where there is no ground
+constexpr double kUnit = 1e-4;       // of heights
+constexpr double kMaxHeight = 3.0;   // of points above or below the ground plane that may yet be ground
+constexpr double kStartRange = 2.0;  // floor this near to the robot is what it stands on
 
 std::int32_t to_units(double metres) { return static_cast<std::int32_t>(std::floor(metres / kUnit + 0.5)); }
 
@@ -136,84 +131,6 @@ void GroundSurface::cross_gaps() {
         if (join(column, expected)) grow({column}, reachable());
       }
     }
-  }
-}
-
-void GroundSurface::fit_column(int cx, int cy) {
-  double n = 0.0, x1 = 0.0, y1 = 0.0, u1 = 0.0, xx = 0.0, xy = 0.0, yy = 0.0, xu = 0.0, yu = 0.0;
-  std::array<Eigen::Vector3d, 64> samples;
-  std::array<double, 64> weights;
-  std::size_t count = 0;
-  const Column& here = columns_[index(cx, cy)];
-  const auto beyond_step = [&](const Column& other, int x, int y) {
-    if (here.step) return std::abs(mean(index(x, y)) - here.lower) > band_;
-    return other.step || stepped_between(cx, cy, x, y);
-  };
-  const auto take = [&](int x, int y) {
-    if (!inside(cx + x, cy + y)) return;
-    const Column& c = columns_[index(cx + x, cy + y)];
-    if (!c.joined || beyond_step(c, cx + x, cy + y)) return;
-    const double points = c.count;
-    // relative to the centre of this column
-    const Eigen::Vector3d p((x - 0.5) * kColumn + c.x_sum / points * kUnit,
-                            (y - 0.5) * kColumn + c.y_sum / points * kUnit, c.u_sum / points * kUnit);
-    weights[count] = std::min(points, 100.0);
-    samples[count++] = p;
-    n += 1.0, x1 += p.x(), y1 += p.y(), u1 += p.z();
-    xx += p.x() * p.x(), xy += p.x() * p.y(), yy += p.y() * p.y(), xu += p.x() * p.z(), yu += p.y() * p.z();
-  };
-  take(0, 0);
-  for (const Eigen::Vector2i& offset : reachable()) take(offset.x(), offset.y());
-  Column& column = columns_[index(cx, cy)];
-  column.support = static_cast<std::uint8_t>(count);
-  if (count < 2) return;
-  if (column.step) {
-    column.carried = true;
-    column.height = static_cast<float>(column.lower * kUnit);
-    return;
-  }
-
-  const double sxx = xx - x1 * x1 / n + kShrinkage, syy = yy - y1 * y1 / n + kShrinkage, sxy = xy - x1 * y1 / n;
-  const double sxu = xu - x1 * u1 / n, syu = yu - y1 * u1 / n;
-  const double determinant = sxx * syy - sxy * sxy;
-  const double a = (sxu * syy - syu * sxy) / determinant, b = (syu * sxx - sxu * sxy) / determinant;
-  const double c = (u1 - a * x1 - b * y1) / n;
-  const double limit = config_.climbable_step_m + config_.range_sigma_m;
-  double disagreeing = 0.0, all = 0.0;  // points
-  for (std::size_t i = 0; i < count; ++i) {
-    all += weights[i];
-    if (std::fabs(samples[i].z() - (c + a * samples[i].x() + b * samples[i].y())) > limit) disagreeing += weights[i];
-  }
-  if (disagreeing > kMaxDisagreeing * all) return;
-  const double slope_x = plane_.slope_x + a, slope_y = plane_.slope_y + b;
-  const double gradient = std::sqrt(slope_x * slope_x + slope_y * slope_y);
-  if (repeatable::atan2(gradient, 1.0) > config_.climbable_slope) return;
-  column.carried = true;
-  column.height = static_cast<float>(c);
-  column.slope_x = static_cast<float>(a);
-  column.slope_y = static_cast<float>(b);
-}
-
-void GroundSurface::fill_outwards() {
-  std::vector<std::size_t> front;
-  std::vector<bool> known(columns_.size());
-  for (std::size_t c = 0; c < columns_.size(); ++c) {
-    known[c] = columns_[c].carried;
-    if (known[c]) front.push_back(c);
-  }
-  for (int ring = 0; ring < kFillRings && !front.empty(); ++ring) {
-    std::vector<std::size_t> next;
-    for (const std::size_t c : front) {
-      const int cx = static_cast<int>(c % side_), cy = static_cast<int>(c / side_);
-      for (const Eigen::Vector2i& step : {Eigen::Vector2i(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
-        const int x = cx + step.x(), y = cy + step.y();
-        if (!inside(x, y) || known[index(x, y)]) continue;
-        known[index(x, y)] = true;
-        columns_[index(x, y)].height = columns_[c].height;
-        next.push_back(index(x, y));
-      }
-    }
-    front.swap(next);
   }
 }
 

@@ -98,6 +98,8 @@ class GroundSurface {
   void measure_spread(std::size_t column);
   void find_step(int cx, int cy, int dx, int dy);
   bool stepped_between(int cx, int cy, int x, int y) const;
+  struct Samples;
+  Samples samples_around(int cx, int cy) const;
   void fit_column(int cx, int cy);
   void fill_outwards();
   std::int32_t mean(std::size_t column) const { return columns_[column].u_sum / columns_[column].count; }
