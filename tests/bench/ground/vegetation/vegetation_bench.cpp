@@ -42,13 +42,13 @@ void print_head() {
   std::puts("|---|---|---|---|---|---|---|---|");
 }
 
-int judge(std::uint64_t seed, int thin) {
+int judge(std::uint64_t seed, int thin, double brightness) {
   print_head();
   Counts all;
   std::map<int, Counts> by_range;
   for (const std::string& world : kWorlds) {
     Counts counts;
-    for (const JudgedPatch& patch : patches_of_world(world, seed, kSweeps, thin)) {
+    for (const JudgedPatch& patch : patches_of_world(world, seed, kSweeps, thin, brightness)) {
       counts.add(patch), all.add(patch);
       by_range[static_cast<int>(patch.patch.range_m / 2.5)].add(patch);
     }
@@ -81,11 +81,14 @@ int fit(std::uint64_t seeds, int thin) {
 }  // namespace scanway::bench
 
 int main(int argc, char** argv) {
-  const std::string what = argc == 4 ? argv[1] : "";
+  const std::string what = argc >= 4 ? argv[1] : "";
   if (what == "fit") return scanway::bench::fit(std::strtoull(argv[2], nullptr, 10), std::atoi(argv[3]));
-  if (what == "judge") return scanway::bench::judge(std::strtoull(argv[2], nullptr, 10), std::atoi(argv[3]));
+  if (what == "judge") {
+    const double brightness = argc > 4 ? std::atof(argv[4]) : 1.0;
+    return scanway::bench::judge(std::strtoull(argv[2], nullptr, 10), std::atoi(argv[3]), brightness);
+  }
   std::puts(
       "vegetation_bench fit SEEDS THIN: weights from the worlds of seeds 1 to SEEDS\n"
-      "vegetation_bench judge SEED THIN: soft ground against what the worlds of that seed are made of");
+      "vegetation_bench judge SEED THIN [BRIGHTNESS]: soft ground against what the worlds of that seed are made of");
   return 2;
 }
