@@ -21,6 +21,10 @@ struct OneWay {
   double overlap = 0.0, conflict = 0.0, surface_fit = 0.0;
 };
 
+bool in_view(RangeImage::Sight sight) {
+  return sight == RangeImage::Sight::free || sight == RangeImage::Sight::surface;
+}
+
 struct View {
   const PreparedScan::Data& from;
   const PreparedScan::Data& to;
@@ -35,11 +39,11 @@ struct View {
     for (std::size_t i = stride / 2; i < points.size(); i += stride) {
       const Eigen::Vector3f p = R * points[i] + t;
       const bool matched = to.fine.any_within(p, kOverlapDistance);
-      const RangeImage::Sight sight = to.image.look(p);
+      const RangeImage::Sight sight = matched ? RangeImage::Sight::surface : to.image.look(p);
       total += 1.0;
       near += matched ? 1.0 : 0.0;
-      if (matched || sight == RangeImage::Sight::free || sight == RangeImage::Sight::surface) seen += 1.0;
-      if (!matched && sight == RangeImage::Sight::free) free += 1.0;
+      seen += in_view(sight) ? 1.0 : 0.0;
+      free += sight == RangeImage::Sight::free ? 1.0 : 0.0;
     }
     result.overlap = total > 0.0 ? near / total : 0.0;
     result.conflict = seen > 0.0 ? free / seen : 1.0;
@@ -53,10 +57,8 @@ struct View {
     for (std::size_t i = 0; i < surfaces.count(); ++i) {
       const Eigen::Vector3f p = R * surfaces.centre[i] + t, n = R * surfaces.normal[i];
       const bool fits = meets_like_surface(p, n, kPlaneDistance);
-      const RangeImage::Sight sight = to.image.look(p);
-      const bool in_view = fits || sight == RangeImage::Sight::free || sight == RangeImage::Sight::surface;
       if (fits) met += surfaces.weight[i];
-      if (in_view) visible += surfaces.weight[i];
+      if (fits || in_view(to.image.look(p))) visible += surfaces.weight[i];
     }
     return visible > 0.0 ? met / visible : 0.0;
   }
@@ -67,8 +69,7 @@ struct View {
     for (std::size_t i = 0; i < from.surfaces.count(); ++i) {
       const Eigen::Vector3f p = R * from.surfaces.centre[i] + t, n = R * from.surfaces.normal[i];
       const Eigen::Vector3d hold = (axes.transpose() * n).cwiseAbs2().cast<double>();
-      const RangeImage::Sight sight = to.image.look(p);
-      if (sight != RangeImage::Sight::free && sight != RangeImage::Sight::surface) continue;
+      if (!in_view(to.image.look(p))) continue;
       visible += hold;
       if (!meets_like_surface(p, n, kTightDistance)) continue;
       met += hold;
@@ -90,14 +91,10 @@ struct View {
 
   bool meets_like_surface(const Eigen::Vector3f& p, const Eigen::Vector3f& n, float plane_distance) const {
     const CellGrid& grid = to.surface_grid;
-    return grid
-        .nearest(p, kSurfaceDistance,
-                 [&](std::uint32_t position) {
-                   const std::uint32_t j = grid.original()[position];
-                   return n.dot(to.surfaces.normal[j]) > kMinNormalCosine &&
-                          std::fabs(to.surfaces.normal[j].dot(p - grid.points()[position])) < plane_distance;
-                 })
-        .found();
+    return grid.any_within(p, kSurfaceDistance, [&](std::uint32_t position) {
+      const Eigen::Vector3f& normal = to.surfaces.normal[grid.original()[position]];
+      return n.dot(normal) > kMinNormalCosine && std::fabs(normal.dot(p - grid.points()[position])) < plane_distance;
+    });
   }
 };
 

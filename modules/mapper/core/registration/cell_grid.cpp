@@ -65,22 +65,4 @@ std::uint32_t CellGrid::runs_about_cell(std::uint32_t position, float radius,
   return row.begin[(home.x() & 7) + 1];
 }
 
-bool CellGrid::any_within(const Eigen::Vector3f& query, float radius) const {
-  if (!reaches(query, radius)) return false;
-  const float limit = radius * radius;
-  const auto none = [&](std::uint32_t begin, std::uint32_t end) {
-    for (std::uint32_t i = begin; i < end; ++i) {
-      if ((points_[i] - query).squaredNorm() <= limit) return false;
-    }
-    return true;
-  };
-  if (!look_at_home(query, none)) return true;
-  bool found = false;
-  for_each_run(query, radius, limit, [&](std::uint32_t begin, std::uint32_t end) {
-    found = !none(begin, end);
-    return !found;
-  });
-  return found;
-}
-
 }  // namespace scanway::registration

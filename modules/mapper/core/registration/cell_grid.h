@@ -74,8 +74,24 @@ class CellGrid {
     return nearest(query, radius, [](std::uint32_t) { return true; });
   }
 
-  /// Whether any point lies within `radius` of `query`.
-  bool any_within(const Eigen::Vector3f& query, float radius) const;
+  /// Whether any point within `radius` of `query` is one that `admit(position)` lets in.
+  template <class Admit>
+  bool any_within(const Eigen::Vector3f& query, float radius, const Admit& admit) const {
+    if (!reaches(query, radius)) return false;
+    const float limit = radius * radius;
+    bool found = false;
+    const auto look = [&](std::uint32_t begin, std::uint32_t end) {
+      for (std::uint32_t i = begin; i < end && !found; ++i) {
+        found = (points_[i] - query).squaredNorm() <= limit && admit(i);
+      }
+      return !found;
+    };
+    if (look_at_home(query, look)) for_each_run(query, radius, limit, look);
+    return found;
+  }
+  bool any_within(const Eigen::Vector3f& query, float radius) const {
+    return any_within(query, radius, [](std::uint32_t) { return true; });
+  }
 
  private:
   static constexpr float kRounding = 1e-6f;  ///< Of a coordinate: several times what the cells' bounds are off by.

@@ -7,7 +7,8 @@
 namespace scanway::registration {
 namespace {
 
-constexpr std::size_t kBlock = 512;
+constexpr std::size_t kBlock = 256;
+constexpr std::size_t kExpected = 96;  // neighbours of a point
 
 struct Part {
   std::vector<std::uint32_t> count, index;
@@ -68,6 +69,9 @@ class Candidates {
 
 Part search(const CellGrid& grid, float radius_m, std::size_t begin, std::size_t end) {
   Part part;
+  part.count.reserve(end - begin);
+  part.index.reserve((end - begin) * kExpected);
+  part.squared_distance.reserve((end - begin) * kExpected);
   Candidates candidates;
   for (std::size_t i = begin; i < end; ++i) {
     const auto position = static_cast<std::uint32_t>(i);

@@ -40,7 +40,7 @@ double deviation_of(const std::vector<double>& values) {
 
 double median_of(std::vector<double> values) {
   std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
+  return values.empty() ? 0.0 : values[values.size() / 2];
 }
 
 Run run_pair(const std::string& world, int thin, double distance_m, std::uint64_t seed) {
@@ -69,14 +69,16 @@ std::vector<double> all_of(const std::vector<Run>& runs, const Value& value) {
 void print_case(const std::string& world, double distance_m, const std::vector<Run>& runs) {
   const auto rough = all_of(runs, [](const Run& r) { return r.rough_s; });
   const auto fine = all_of(runs, [](const Run& r) { return r.fine_s; });
-  const auto millimetres = all_of(runs, [](const Run& r) { return 1000.0 * r.error.metres; });
+  std::vector<double> millimetres;
+  for (const Run& run : runs) {
+    if (run.result.verdict == Verdict::accepted) millimetres.push_back(1000.0 * run.error.metres);
+  }
   const auto points = all_of(runs, [](const Run& r) { return 0.5e-6 * static_cast<double>(r.points); });
-  const auto accepted = all_of(runs, [](const Run& r) { return r.result.verdict == Verdict::accepted ? 1.0 : 0.0; });
-  std::printf("| %s | %.0f m | %.2f | %.2f ± %.2f | %.2f ± %.2f | %.1f (worst %.1f) | %.0f of %zu |\n",
+  std::printf("| %s | %.0f m | %.2f | %.2f ± %.2f | %.2f ± %.2f | %.1f (worst %.1f) | %zu of %zu |\n",
               world.empty() ? "**all**" : world.c_str(), distance_m, mean_of(points), mean_of(rough),
               deviation_of(rough), mean_of(fine), deviation_of(fine), median_of(millimetres),
-              *std::max_element(millimetres.begin(), millimetres.end()),
-              mean_of(accepted) * static_cast<double>(runs.size()), runs.size());
+              millimetres.empty() ? 0.0 : *std::max_element(millimetres.begin(), millimetres.end()), millimetres.size(),
+              runs.size());
 }
 
 void print_run(const std::string& world, int seed, double distance_m, const Run& run) {
@@ -111,7 +113,8 @@ void print_paper_table(const TableOptions& options) {
   std::vector<Runs> cases;
   for (const double distance_m : distances) cases.push_back(run_all(options, distance_m));
   std::printf(
-      "\n| world | apart | million points a sweep | FPFH, CPU s | ICP, CPU s | error, mm, median | accepted |\n");
+      "\n| world | apart | million points a sweep | FPFH, CPU s | ICP, CPU s | of those accepted: error, mm, median | "
+      "accepted |\n");
   std::printf("|---|---|---|---|---|---|---|\n");
   for (std::size_t i = 0; i < cases.size(); ++i) {
     for (const auto& [world, runs] : cases[i]) print_case(world, distances[i], runs);

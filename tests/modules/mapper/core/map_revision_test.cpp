@@ -124,8 +124,9 @@ int occupied_beyond(const Map& one, const Map& other, double x, double y) {
 TEST(MapRevision, ABoxOrAPersonThatLeftIsGoneWithTheNextSweep) {
   const double x = 0.9, y = -1.0;
   const Eigen::Vector3d sensor(-0.6, 0.2, 1.3);
+  // Finer than a cell is wide: what falls between two beams keeps what an older sweep saw there.
   const auto seen = [&sensor](const testing::Scene& scene, std::uint64_t seed) {
-    return testing::scan(scene, sensor, 1.0, 1.0, 0.005, seed);
+    return testing::scan(scene, sensor, 0.5, 0.4, 0.005, seed);
   };
   for (const Eigen::Vector3d& size : {Eigen::Vector3d(0.5, 0.5, 0.5), Eigen::Vector3d(0.3, 0.4, 1.75)}) {
     testing::Scene scene = testing::furnished_room();
