@@ -19,7 +19,7 @@ struct SoftGroundModel {
   /// less, the fewer points it is from), and this once more times log cosine: far out unevenness counts as roughness.
   static constexpr int kValues = 7;
   using Values = std::array<double, kValues>;
-  Values weights = {-460.098, 90.782, 20.546, -27.433, -3.832, 21.546, 9.471};
+  Values weights = {-336.234, 64.277, 5.724, -29.028, -3.882, 41.011, 18.105};
 
   static Values values_of(const GroundPatch& patch, double range_sigma_m);
   double log_odds(const GroundPatch& patch, double range_sigma_m) const;

@@ -49,7 +49,8 @@ void add_patches(const MapPoints& points, const Robot& robot, const RayCaster& t
 
 }  // namespace
 
-std::vector<JudgedPatch> patches_of_world(const std::string& name, std::uint64_t seed, int sweeps, int thin) {
+std::vector<JudgedPatch> patches_of_world(const std::string& name, std::uint64_t seed, int sweeps, int thin,
+                                          double brightness) {
   const World world = make_world(name, seed);
   const Mesh* const ground = &world.ground;
   const RayCaster truth(std::span(&ground, 1));
@@ -61,8 +62,8 @@ std::vector<JudgedPatch> patches_of_world(const std::string& name, std::uint64_t
   for (const Place& place : places_on_route(world, sweeps, 0.0, 1.0)) {
     ++config.seed;
     const SimulatedSweep taken = simulate_sweep(world, place, robot, config);
-    const MapPoints points =
-        points_in_map(taken.sweep, taken.X_world_base, robot.laser.min_range_m, robot.laser.max_range_m);
+    MapPoints points = points_in_map(taken.sweep, taken.X_world_base, robot.laser.min_range_m, robot.laser.max_range_m);
+    for (float& intensity : points.intensity) intensity *= static_cast<float>(brightness);
     add_patches(points, robot, truth, judged);
   }
   return judged;

@@ -19,6 +19,8 @@ struct JudgedPatch {
 };
 
 /// The patches of `sweeps` sweeps along the world's route. Patches in which two materials meet are left out.
-std::vector<JudgedPatch> patches_of_world(const std::string& world, std::uint64_t seed, int sweeps, int thin);
+/// `brightness`: times the intensities, as of a window that is dirty or a scanner that counts otherwise.
+std::vector<JudgedPatch> patches_of_world(const std::string& world, std::uint64_t seed, int sweeps, int thin,
+                                          double brightness = 1.0);
 
 }  // namespace scanway::bench
