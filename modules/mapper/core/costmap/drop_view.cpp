@@ -74,9 +74,8 @@ DropView::Below DropView::below(const Beam& beam, int bin, const Profile& ground
   const double end = (beam.ends + 0.5) * kBin, gap = end - (bin + 0.5) * kBin;
   const double depth = ground.height + ground.least_rise * gap - beam.slope * end;
   const double sigma_up = config_.range_sigma_m * std::min(1.0, static_cast<double>(-beam.slope));
-  const double step =
-      (beam.ends - beam.begins) * kBin > kSparse ? 0.5 * config_.climbable_step_m : config_.climbable_step_m;
-  if (depth <= std::max(step + 3.0 * sigma_up, 5.0 * sigma_up) + kBend * gap) return Below::nothing;
+  const double noise = std::max(config_.climbable_step_m + 3.0 * sigma_up, 5.0 * sigma_up);
+  if (depth <= noise + kBend * gap) return Below::nothing;
   if (-beam.slope > steepest_ && depth > config_.climbable_step_m + config_.range_sigma_m) return Below::drop;
   return depth > kFarDrop + kEvenFall * depth / -beam.slope ? Below::far_drop : Below::unsure;
 }
@@ -94,11 +93,17 @@ DropView::Way DropView::way(double x, double y, const GroundSurface::Place& plac
   int least_gap = bins_;
   for (int bin = here; bin <= here + static_cast<int>(kEdge / kBin) && bin < bins_; ++bin) {
     Below around = Below::nothing;
+    int doubts = 0;  // One alone may be a stray return.
     bool on_ground = false;
     for (const std::size_t step : {kSectors - 1, 0, 1}) {
       const Beam& beam = beams_[(sector + step) % kSectors * bins_ + bin];
       on_ground = on_ground || (beam.on_ground && !beam.into_pit);
-      around = std::max(around, below(beam, bin, ground));
+      const Below one = below(beam, bin, ground);
+      doubts += one == Below::nothing ? 0 : 1;
+      const bool passed_below = beam.slope * (bin + 0.5) * kBin < ground.height;
+      // Before the edge is passed all must agree that there is one.
+      const int needed = passed_below ? 1 : 3;
+      if (one >= Below::far_drop ? doubts >= needed : doubts > 1) around = std::max(around, one);
       if (bin == here) least_gap = std::min(least_gap, beam.ends - beam.begins);
     }
     if (!on_ground && (bin == here || around >= Below::far_drop)) way.below = std::max(way.below, around);
