@@ -165,7 +165,8 @@ TEST(VoxelCloud, ItsTilesAreAllOfIt) {
   cloud.put(1, random_points(5000, 40.0, 2, false));
   PointCloud together;
   for (const VoxelCloud::TileNumber tile : cloud.tiles()) {
-    const PointCloud part = cloud.centroids_of(tile);
+    PointCloud part = cloud.centroids_of(tile);
+    part.intensity.resize(part.points.size());  // A tile that only the second sweep touched has none.
     together.points.insert(together.points.end(), part.points.begin(), part.points.end());
     together.normals.insert(together.normals.end(), part.normals.begin(), part.normals.end());
     together.intensity.insert(together.intensity.end(), part.intensity.begin(), part.intensity.end());
