@@ -72,7 +72,7 @@ SweepView::SweepView(const MapPoints& points, const std::vector<Eigen::Vector3f>
       spacing_(median_spacing(points)),
       bins_(static_cast<int>(config.max_range_m / kBin)) {
   lowest_.assign(static_cast<std::size_t>(kSectors) * bins_, kNoBeam);
-  hidden_.assign(lowest_.size(), 0);
+  hidden_.assign(lowest_.size(), -kNoBeam);
   add_beams(points, ground);
   add_missing(missing, origin_.z() - ground.height_at(origin_.x(), origin_.y()));
   pass_on();
@@ -115,22 +115,20 @@ void SweepView::pass_on() {
 }
 
 void SweepView::hide_behind(const std::vector<ObstacleReturn>& obstacles) {
-  std::vector<std::int32_t> edges(hidden_.size() + 1, 0);  // +1 where a hidden stretch begins, -1 behind its end
   for (const ObstacleReturn& obstacle : obstacles) {
     const double sensor_above = obstacle.above - obstacle.from_sensor;
     // By similar triangles: where the beam, had it gone on, would have come down to the step.
     const double landing = obstacle.from_sensor < 0.0f
                                ? obstacle.range * (sensor_above - config_.climbable_step_m) / -obstacle.from_sensor
                                : config_.max_range_m;
-    const double depth = obstacle.from_sensor < -kLookOver ? kSparseDepth : kTallDepth;
-    const double end = std::min({landing, obstacle.range + depth, config_.max_range_m - kBin});
+    const bool tall = obstacle.from_sensor >= -kLookOver;
+    const double end = std::min({landing, obstacle.range + (tall ? kTallDepth : kSparseDepth), config_.max_range_m - kBin});
     const int first = std::min(static_cast<int>(obstacle.range / kBin), bins_ - 1);
     const int last = std::max(first, static_cast<int>(end / kBin));
-    ++edges[static_cast<std::size_t>(obstacle.sector) * bins_ + first];
-    --edges[static_cast<std::size_t>(obstacle.sector) * bins_ + last + 1];
+    float* hidden = &hidden_[static_cast<std::size_t>(obstacle.sector) * bins_];
+    const float top = tall ? kNoBeam : obstacle.from_sensor;
+    for (int bin = first; bin <= last && hidden[bin] != kNoBeam; ++bin) hidden[bin] = std::max(hidden[bin], top);
   }
-  std::int32_t open = 0;  // every stretch ends in its own sector
-  for (std::size_t i = 0; i < hidden_.size(); ++i) hidden_[i] = (open += edges[i]) > 0 ? 1 : 0;
 }
 
 void SweepView::look_around() {
@@ -142,18 +140,18 @@ void SweepView::look_around() {
     if (bins_to_look.back() == 0) break;
   }
   std::vector<float> lowest(lowest_.size());
-  std::vector<std::uint8_t> hidden(hidden_.size());
+  std::vector<float> hidden(hidden_.size(), -kNoBeam);
   const int reach = static_cast<int>(bins_to_look.size()) - 1;
   for_blocks(kSectors, 64, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t sector = begin; sector < end; ++sector) {
       float* least = &lowest[sector * bins_];
-      std::uint8_t* any = &hidden[sector * bins_];
+      float* top = &hidden[sector * bins_];
       std::fill(least, least + bins_, kNoBeam);
       for (int d = -reach; d <= reach; ++d) {
         const std::size_t other = (sector + kSectors + d) % kSectors * bins_;
         const int bins = bins_to_look[static_cast<std::size_t>(std::abs(d))];
         for (int bin = 0; bin < bins; ++bin) least[bin] = std::min(least[bin], lowest_[other + bin]);
-        for (int bin = 0; bin < bins; ++bin) any[bin] |= hidden_[other + bin];
+        for (int bin = 0; bin < bins; ++bin) top[bin] = std::max(top[bin], hidden_[other + bin]);
       }
     }
   });
@@ -168,8 +166,8 @@ bool SweepView::seen_empty(double x, double y, double ground_height) const {
   if (bin >= bins_) return false;
   const std::size_t at =
       static_cast<std::size_t>(sector_of(static_cast<float>(dx), static_cast<float>(dy))) * bins_ + bin;
-  if (hidden_[at] != 0) return false;
   const double sensor_above = origin_.z() - ground_height;
+  if (hidden_[at] + sensor_above > config_.climbable_step_m + config_.range_sigma_m) return false;
   const double beam_above = sensor_above + lowest_[at] * range - 0.5 * config_.divergence * range;
   // The next return of a thinned floor is up to 1.5 steps further out; its beam passes here that much higher.
   const double thinned = 1.5 * spacing_ * sensor_above / std::max(range, kBin);

@@ -56,7 +56,7 @@ class SweepView {
   double spacing_ = 0.0;
   int bins_ = 0;
   std::vector<float> lowest_;  ///< By sector, then bin: the least slope (dz / horizontal range) of beams over it.
-  std::vector<std::uint8_t> hidden_;  ///< By sector, then bin.
+  std::vector<float> hidden_;  ///< By sector, then bin: how high over the sensor what hides it rises.
 };
 
 }  // namespace scanway
