@@ -35,6 +35,31 @@ void count_returns(SweepEvidence& evidence, const std::vector<ObstacleReturn>& o
   }
 }
 
+/// A return comes from anywhere in its beam's spot. What lies in it, and was seen to be free beside the return's own
+/// cell, is not known to be.
+void doubt_spots(SweepEvidence& evidence, const std::vector<ObstacleReturn>& obstacles, double divergence, double sigma,
+                 double resolution) {
+  for (const ObstacleReturn& obstacle : obstacles) {
+    const double radius = 0.5 * divergence * obstacle.range + sigma;
+    const int reach = static_cast<int>(radius / resolution);
+    const double most = radius / resolution * (radius / resolution);
+    const Cell middle = cell_at(obstacle.x, obstacle.y, resolution);
+    for (int y = -reach; y <= reach; ++y) {
+      for (int x = -reach; x <= reach; ++x) {
+        if (x * x + y * y > most) continue;
+        const Cell cell{middle.x + x, middle.y + y};
+        const auto tile = evidence.find(CostMap::tile_of(cell));
+        if (tile == evidence.end()) continue;
+        const std::size_t index = CostMap::index_in_tile(cell);
+        std::uint8_t& beams = tile->second.beams[index];
+        if (tile->second.returns[index] == 0 && (beams == EvidenceTile::kEmpty || beams == EvidenceTile::kSparse)) {
+          beams = EvidenceTile::kUnsure;
+        }
+      }
+    }
+  }
+}
+
 /// What was seen of the ground, beside what stands on it.
 void lay_under(EvidenceTile& tile, const EvidenceTile& ground) {
   tile.ground = ground.ground;
@@ -175,6 +200,7 @@ SweepEvidence gather_evidence(const std::vector<ObstacleReturn>& obstacles, cons
     if (seen[i] == nullptr) continue;
     lay_under(evidence[tiles[i]], *seen[i]);
   }
+  doubt_spots(evidence, obstacles, view.divergence(), view.sigma(), resolution_m);
   stand(evidence, body, X_map_sweep, resolution_m);
   return evidence;
 }

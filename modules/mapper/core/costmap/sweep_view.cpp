@@ -121,7 +121,7 @@ void SweepView::hide_behind(const std::vector<ObstacleReturn>& obstacles) {
     const double landing = obstacle.from_sensor < 0.0f
                                ? obstacle.range * (sensor_above - config_.climbable_step_m) / -obstacle.from_sensor
                                : config_.max_range_m;
-    const bool tall = obstacle.from_sensor >= -kLookOver;
+    const bool tall = obstacle.from_sensor >= -kLookOver || obstacle.above >= config_.body_height_m - kLookOver;
     const double end = std::min({landing, obstacle.range + (tall ? kTallDepth : kSparseDepth), config_.max_range_m - kBin});
     const int first = std::min(static_cast<int>(obstacle.range / kBin), bins_ - 1);
     const int last = std::max(first, static_cast<int>(end / kBin));

@@ -43,6 +43,8 @@ class SweepView {
 
   const Eigen::Vector3d& origin() const { return origin_; }  ///< The sensor, in the map.
   double max_range_m() const { return config_.max_range_m; }
+  double divergence() const { return config_.divergence; }
+  double sigma() const { return config_.range_sigma_m; }
 
  private:
   void add_beams(const MapPoints& points, const GroundSurface& ground);
