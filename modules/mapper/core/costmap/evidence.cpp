@@ -9,6 +9,7 @@
 
 #include "common/parallel/blocks.h"
 #include "modules/mapper/core/cloud/map_points.h"
+#include "modules/mapper/core/costmap/return_spots.h"
 
 namespace scanway {
 namespace {
@@ -32,31 +33,6 @@ void count_returns(SweepEvidence& evidence, const std::vector<ObstacleReturn>& o
         obstacle.above <= kLow_m && (tile.returns[index] == 0 || tile.beams[index] == EvidenceTile::kLowStep);
     tile.beams[index] = low ? EvidenceTile::kLowStep : 0;
     count(tile.returns[index]);
-  }
-}
-
-/// A return comes from anywhere in its beam's spot. What lies in it, and was seen to be free beside the return's own
-/// cell, is not known to be.
-void doubt_spots(SweepEvidence& evidence, const std::vector<ObstacleReturn>& obstacles, double divergence, double sigma,
-                 double resolution) {
-  for (const ObstacleReturn& obstacle : obstacles) {
-    const double radius = 0.5 * divergence * obstacle.range + sigma;
-    const int reach = static_cast<int>(radius / resolution);
-    const double most = radius / resolution * (radius / resolution);
-    const Cell middle = cell_at(obstacle.x, obstacle.y, resolution);
-    for (int y = -reach; y <= reach; ++y) {
-      for (int x = -reach; x <= reach; ++x) {
-        if (x * x + y * y > most) continue;
-        const Cell cell{middle.x + x, middle.y + y};
-        const auto tile = evidence.find(CostMap::tile_of(cell));
-        if (tile == evidence.end()) continue;
-        const std::size_t index = CostMap::index_in_tile(cell);
-        std::uint8_t& beams = tile->second.beams[index];
-        if (tile->second.returns[index] == 0 && (beams == EvidenceTile::kEmpty || beams == EvidenceTile::kSparse)) {
-          beams = EvidenceTile::kUnsure;
-        }
-      }
-    }
   }
 }
 
@@ -200,7 +176,7 @@ SweepEvidence gather_evidence(const std::vector<ObstacleReturn>& obstacles, cons
     if (seen[i] == nullptr) continue;
     lay_under(evidence[tiles[i]], *seen[i]);
   }
-  doubt_spots(evidence, obstacles, view.divergence(), view.sigma(), resolution_m);
+  doubt_spots(evidence, o, view.config(), resolution_m);
   stand(evidence, body, X_map_sweep, resolution_m);
   return evidence;
 }

@@ -122,7 +122,8 @@ void SweepView::hide_behind(const std::vector<ObstacleReturn>& obstacles) {
                                ? obstacle.range * (sensor_above - config_.climbable_step_m) / -obstacle.from_sensor
                                : config_.max_range_m;
     const bool tall = obstacle.from_sensor >= -kLookOver || obstacle.above >= config_.body_height_m - kLookOver;
-    const double end = std::min({landing, obstacle.range + (tall ? kTallDepth : kSparseDepth), config_.max_range_m - kBin});
+    const double end =
+        std::min({landing, obstacle.range + (tall ? kTallDepth : kSparseDepth), config_.max_range_m - kBin});
     const int first = std::min(static_cast<int>(obstacle.range / kBin), bins_ - 1);
     const int last = std::max(first, static_cast<int>(end / kBin));
     float* hidden = &hidden_[static_cast<std::size_t>(obstacle.sector) * bins_];

@@ -43,8 +43,7 @@ class SweepView {
 
   const Eigen::Vector3d& origin() const { return origin_; }  ///< The sensor, in the map.
   double max_range_m() const { return config_.max_range_m; }
-  double divergence() const { return config_.divergence; }
-  double sigma() const { return config_.range_sigma_m; }
+  const SweepViewConfig& config() const { return config_; }
 
  private:
   void add_beams(const MapPoints& points, const GroundSurface& ground);
