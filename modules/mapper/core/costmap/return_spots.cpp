@@ -55,7 +55,7 @@ void doubt_spots(SweepEvidence& evidence, const Eigen::Vector3d& sensor, const S
       const std::int32_t x = cell % kSide, y = cell / kSide;
       const double dx = (index.x * kSide + x + 0.5) * resolution_m - sensor.x();
       const double dy = (index.y * kSide + y + 0.5) * resolution_m - sensor.y();
-      const double radius = 0.5 * config.divergence * std::sqrt(dx * dx + dy * dy) + config.range_sigma_m;
+      const double radius = 0.5 * config.divergence * std::sqrt(dx * dx + dy * dy);
       doubt_around(tiles, x, y, radius / resolution_m);
     }
   }
