@@ -18,7 +18,8 @@ using polar::sector_of;
 constexpr double kFarDrop = 0.04;   // metres
 constexpr double kGrazing = 0.1;    // of a sight line's slope: a step of 3 cm hides 30 cm behind it
 constexpr double kEvenFall = 0.02;  // metres a metre: what even ground may fall away
-constexpr double kBend = 0.015;     // metres a metre: what the ground may bend away from its slope here
+constexpr int kEdgeBins = static_cast<int>(DropView::kEdge / kBin);
+constexpr double kBend = 0.015;  // metres a metre: what the ground may bend away from its slope here
 
 }  // namespace
 
@@ -69,46 +70,68 @@ void DropView::follow_beams() {
   });
 }
 
-DropView::Below DropView::below(const Beam& beam, int bin, const Profile& ground) const {
-  if (!(beam.slope < 0.0f)) return Below::nothing;
-  const double end = (beam.ends + 0.5) * kBin, gap = end - (bin + 0.5) * kBin;
-  const double depth = ground.height + ground.least_rise * gap - beam.slope * end;
-  const double sigma_up = config_.range_sigma_m * std::min(1.0, static_cast<double>(-beam.slope));
-  const double noise = std::max(config_.climbable_step_m + 3.0 * sigma_up, 5.0 * sigma_up);
-  if (depth <= noise + kBend * gap) return Below::nothing;
-  if (-beam.slope > steepest_ && depth > config_.climbable_step_m + config_.range_sigma_m) return Below::drop;
-  return depth > kFarDrop + kEvenFall * depth / -beam.slope ? Below::far_drop : Below::unsure;
+/// How far below the ground as it goes on a beam ended.
+double DropView::depth(const Beam& beam, int bin, const Profile& ground) const {
+  return ground.height + ground.least_rise * ((beam.ends - bin) * kBin) - beam.slope * ((beam.ends + 0.5) * kBin);
 }
 
-DropView::Way DropView::way(double x, double y, const GroundSurface::Place& place) const {
-  const double dx = x - origin_.x(), dy = y - origin_.y();
-  const double range = std::max(std::sqrt(dx * dx + dy * dy), 1e-4);
-  const int here = static_cast<int>(range / kBin);
-  const double rise = (place.slope_x * dx + place.slope_y * dy) / range;
-  const double plane_rise = (plane_.slope_x * dx + plane_.slope_y * dy) / range;
-  // Near a wall's foot the local slope is not to be trusted.
-  const Profile ground{place.height - origin_.z(), std::min(rise, plane_rise)};
-  const auto sector = static_cast<std::size_t>(sector_of(static_cast<float>(dx), static_cast<float>(dy)));
-  Way way;
-  int least_gap = bins_;
-  for (int bin = here; bin <= here + static_cast<int>(kEdge / kBin) && bin < bins_; ++bin) {
+DropView::Below DropView::below(const Beam& beam, int bin, const Profile& ground) const {
+  if (!(beam.slope < 0.0f)) return Below::nothing;
+  const double deep = depth(beam, bin, ground), gap = (beam.ends - bin) * kBin;
+  const double sigma_up = config_.range_sigma_m * std::min(1.0, static_cast<double>(-beam.slope));
+  const double noise = std::max(config_.climbable_step_m + 3.0 * sigma_up, 5.0 * sigma_up);
+  if (deep <= noise + kBend * gap) return Below::nothing;
+  if (-beam.slope > steepest_ && deep > config_.climbable_step_m + config_.range_sigma_m) return Below::drop;
+  return deep > kFarDrop + kEvenFall * deep / -beam.slope ? Below::far_drop : Below::unsure;
+}
+
+bool DropView::any_falls(const polar::Place& place, const Profile& ground) const {
+  const int last = std::min(place.bin + kEdgeBins, bins_ - 1);
+  for (int step = -1; step <= 1; ++step) {
+    const Beam* beams = &beam(place.sector + step, 0);
+    for (int bin = place.bin; bin <= last; ++bin) {
+      if (depth(beams[bin], bin, ground) > config_.climbable_step_m) return true;
+    }
+  }
+  return false;
+}
+
+DropView::Below DropView::below_around(const polar::Place& place, const Profile& ground) const {
+  Below deepest = Below::nothing;
+  for (int bin = place.bin; bin <= place.bin + kEdgeBins && bin < bins_; ++bin) {
     Below around = Below::nothing;
     int doubts = 0;  // One alone may be a stray return.
     bool on_ground = false;
-    for (const std::size_t step : {kSectors - 1, 0, 1}) {
-      const Beam& beam = beams_[(sector + step) % kSectors * bins_ + bin];
-      on_ground = on_ground || (beam.on_ground && !beam.into_pit);
-      const Below one = below(beam, bin, ground);
+    for (const int step : {-1, 0, 1}) {
+      const Beam& passing = beam(place.sector + step, bin);
+      on_ground = on_ground || (passing.on_ground && !passing.into_pit);
+      const Below one = below(passing, bin, ground);
       doubts += one == Below::nothing ? 0 : 1;
-      const bool passed_below = beam.slope * (bin + 0.5) * kBin < ground.height;
+      const bool passed_below = passing.slope * (bin + 0.5) * kBin < ground.height;
       // Before the edge is passed all must agree that there is one.
       const int needed = passed_below ? 1 : 3;
       if (one >= Below::far_drop ? doubts >= needed : doubts > 1) around = std::max(around, one);
-      if (bin == here) least_gap = std::min(least_gap, beam.ends - beam.begins);
     }
-    if (!on_ground && (bin == here || around >= Below::far_drop)) way.below = std::max(way.below, around);
+    if (!on_ground && (bin == place.bin || around >= Below::far_drop)) deepest = std::max(deepest, around);
   }
-  way.sparse = least_gap > static_cast<int>(kSparse / kBin) || -ground.height < kGrazing * range;
+  return deepest;
+}
+
+DropView::Way DropView::way(const polar::Place& place, const Eigen::Vector2d& direction,
+                            const GroundSurface::Place& ground) const {
+  if (place.bin >= bins_) return {};
+  const double rise = (ground.slope_x * direction.x() + ground.slope_y * direction.y()) / place.range;
+  const double plane_rise = (plane_.slope_x * direction.x() + plane_.slope_y * direction.y()) / place.range;
+  // Near a wall's foot the local slope is not to be trusted.
+  const Profile profile{ground.height - origin_.z(), std::min(rise, plane_rise)};
+  int least_gap = bins_;
+  for (const int step : {-1, 0, 1}) {
+    const Beam& passing = beam(place.sector + step, place.bin);
+    least_gap = std::min(least_gap, passing.ends - passing.begins);
+  }
+  Way way;
+  if (any_falls(place, profile)) way.below = below_around(place, profile);
+  way.sparse = least_gap > static_cast<int>(kSparse / kBin) || -profile.height < kGrazing * place.range;
   return way;
 }
 

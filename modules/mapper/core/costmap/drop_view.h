@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "modules/mapper/core/cloud/map_points.h"
+#include "modules/mapper/core/costmap/polar.h"
 #include "modules/mapper/core/costmap/sweep_view.h"
 #include "modules/mapper/core/ground/ground_surface.h"
 
@@ -32,8 +33,8 @@ class DropView {
     Below below = Below::nothing;
     bool sparse = false;  ///< The beams on both sides end more than kSparse apart: between them low things may lie.
   };
-  /// On the ground at (x, y), or up to kEdge beyond it: an edge lies before what is seen past it.
-  Way way(double x, double y, const GroundSurface::Place& place) const;
+  /// On the `ground` at a place about the sensor, or up to kEdge beyond it: an edge lies before what is seen past it.
+  Way way(const polar::Place& place, const Eigen::Vector2d& direction, const GroundSurface::Place& ground) const;
 
   static constexpr double kEdge = 0.04;   ///< Metres.
   static constexpr double kSparse = 0.3;  ///< Metres.
@@ -53,7 +54,14 @@ class DropView {
   };
   void add_returns(const MapPoints& points, const GroundSurface& ground);
   void follow_beams();
+  double depth(const Beam& beam, int bin, const Profile& ground) const;
+  /// Whether any beam about the place ends so low that below() need be asked.
+  bool any_falls(const polar::Place& place, const Profile& ground) const;
   Below below(const Beam& beam, int bin, const Profile& ground) const;
+  Below below_around(const polar::Place& place, const Profile& ground) const;
+  const Beam& beam(int sector, int bin) const {
+    return beams_[static_cast<std::size_t>((sector + polar::kSectors) % polar::kSectors) * bins_ + bin];
+  }
 
   SweepViewConfig config_;
   Eigen::Vector3d origin_;

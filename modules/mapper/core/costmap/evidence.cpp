@@ -44,11 +44,13 @@ void lay_under(EvidenceTile& tile, const EvidenceTile& ground) {
   }
 }
 
-/// What the beams over one cell say, where the ground is at `place`.
-std::uint8_t passed_over(double x, double y, const GroundSurface::Place& place, const SweepView& view,
+/// What the beams over one cell say.
+std::uint8_t passed_over(double x, double y, const GroundSurface::Place& ground, const SweepView& view,
                          const DropView& drops) {
-  if (!place.carried) return view.seen_empty(x, y, place.height) ? EvidenceTile::kEmpty : 0;
-  const DropView::Way way = drops.way(x, y, place);
+  const Eigen::Vector2d direction(x - view.origin().x(), y - view.origin().y());
+  const polar::Place place(direction.x(), direction.y());
+  if (!ground.carried) return view.seen_empty(place, ground.height) ? EvidenceTile::kEmpty : 0;
+  const DropView::Way way = drops.way(place, direction, ground);
   switch (way.below) {
     case DropView::Below::drop:
       return EvidenceTile::kDrop;
@@ -57,7 +59,7 @@ std::uint8_t passed_over(double x, double y, const GroundSurface::Place& place, 
     case DropView::Below::unsure:
       return EvidenceTile::kUnsure;
     default:
-      if (!view.seen_empty(x, y, place.height)) return 0;
+      if (!view.seen_empty(place, ground.height)) return 0;
       return way.sparse ? EvidenceTile::kSparse : EvidenceTile::kEmpty;
   }
 }

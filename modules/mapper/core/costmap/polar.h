@@ -27,4 +27,15 @@ inline int sector_of(float x, float y) {
   return sector >= kSectors ? sector - kSectors : sector;
 }
 
+/// Where (x, y), relative to the sensor, lies.
+struct Place {
+  Place(double x, double y)
+      : range(std::max(std::sqrt(x * x + y * y), 1e-4)),
+        bin(static_cast<int>(range / kBin)),
+        sector(sector_of(static_cast<float>(x), static_cast<float>(y))) {}
+
+  double range;
+  int bin, sector;
+};
+
 }  // namespace scanway::polar

@@ -160,18 +160,14 @@ void SweepView::look_around() {
   hidden_.swap(hidden);
 }
 
-bool SweepView::seen_empty(double x, double y, double ground_height) const {
-  const double dx = x - origin_.x(), dy = y - origin_.y();
-  const double range = std::sqrt(dx * dx + dy * dy);
-  const int bin = static_cast<int>(range / kBin);
-  if (bin >= bins_) return false;
-  const std::size_t at =
-      static_cast<std::size_t>(sector_of(static_cast<float>(dx), static_cast<float>(dy))) * bins_ + bin;
+bool SweepView::seen_empty(const polar::Place& place, double ground_height) const {
+  if (place.bin >= bins_) return false;
+  const std::size_t at = static_cast<std::size_t>(place.sector) * bins_ + place.bin;
   const double sensor_above = origin_.z() - ground_height;
   if (hidden_[at] + sensor_above > config_.climbable_step_m + config_.range_sigma_m) return false;
-  const double beam_above = sensor_above + lowest_[at] * range - 0.5 * config_.divergence * range;
+  const double beam_above = sensor_above + lowest_[at] * place.range - 0.5 * config_.divergence * place.range;
   // The next return of a thinned floor is up to 1.5 steps further out; its beam passes here that much higher.
-  const double thinned = 1.5 * spacing_ * sensor_above / std::max(range, kBin);
+  const double thinned = 1.5 * spacing_ * sensor_above / std::max(place.range, kBin);
   return beam_above <= std::min(config_.climbable_step_m + config_.range_sigma_m + thinned, config_.body_height_m);
 }
 

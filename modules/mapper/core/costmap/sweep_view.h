@@ -5,6 +5,7 @@
 
 #include "modules/mapper/core/cloud/map_points.h"
 #include "modules/mapper/core/costmap/obstacle_returns.h"
+#include "modules/mapper/core/costmap/polar.h"
 #include "modules/mapper/core/ground/ground_surface.h"
 
 namespace scanway {
@@ -33,9 +34,9 @@ class SweepView {
   SweepView(const MapPoints& points, const std::vector<Eigen::Vector3f>& missing, const GroundSurface& ground,
             const std::vector<ObstacleReturn>& obstacles, const SweepViewConfig& config);
 
-  /// Whether the air over the ground at (x, y), map frame, was seen to be empty from the climbable step upwards:
+  /// Whether the air over the ground at a place about the sensor was seen to be empty from the climbable step upwards:
   /// the lowest beam passed within the step, the range's deviation, its own half width and the thinning of it.
-  bool seen_empty(double x, double y, double ground_height) const;
+  bool seen_empty(const polar::Place& place, double ground_height) const;
 
   /// The median distance of returns, metres.
   double spacing_m() const { return spacing_; }
