@@ -8,14 +8,15 @@
 
 namespace scanway {
 
-/// Points that follow each other in a sweep and lie in one cube of 128 voxels a side (voxel_place.h). A laser's do so
-/// for long: to sort runs by their cubes is much less work than to sort the points.
+/// A part of a sweep's points in which those of one cube of 128 voxels a side (voxel_place.h) follow each other, maybe
+/// with others between: where a surface lies on the border of two cubes, their runs go side by side. A laser's runs are
+/// long: to sort them by their cubes is much less work than to sort the points.
 struct CubeRun {
   std::uint64_t key;  ///< The cube's: that of its voxels without the last 21 bits.
   std::uint32_t first, count;
 };
 
-/// Those of all points that are finite and not further than 2^20 voxels from the origin, by cube.
+/// By cube: each point that is finite and not further than 2^20 voxels from the origin is in one run of its cube.
 std::vector<CubeRun> cube_runs(std::span<const Eigen::Vector3f> points, double voxel_m);
 
 }  // namespace scanway

@@ -51,17 +51,20 @@ std::vector<VoxelSum>& CubeSums::add_up(std::span<const CubeRun> runs) {
   return voxels_;
 }
 
+/// Points of other cubes are written over by those that follow.
 void CubeSums::take(const CubeRun& run) {
   const PlacesInCube& in_cube = PlacesInCube::table();
+  const FixedPlace cube = place_of_cube(run.key);
   const bool with_intensity = !points_.intensity.empty();
   fix_places(std::span(points_.points).subspan(run.first, run.count), voxel_m_, places_);
-  const std::size_t before = entries_.size();
-  entries_.resize(before + run.count);
-  Entry* entry = &entries_[before];
-  for (std::size_t i = 0; i < run.count; ++i, ++entry) {
-    *entry = {voxel_of(places_[i], in_cube), offset_of(places_[i]),
-              with_intensity ? points_.intensity[run.first + i] : 0.0f};
+  std::size_t taken = entries_.size();
+  entries_.resize(taken + run.count);
+  for (std::size_t i = 0; i < run.count; ++i) {
+    entries_[taken] = {voxel_of(places_[i], in_cube), offset_of(places_[i]),
+                       with_intensity ? points_.intensity[run.first + i] : 0.0f};
+    taken += places_[i].is_in_cube_of(cube) ? 1 : 0;
   }
+  entries_.resize(taken);
 }
 
 /// By radix, least digit first.
@@ -79,20 +82,24 @@ void CubeSums::sort() {
   }
 }
 
+/// Without a branch at the end of a voxel, which no CPU foresees.
 void CubeSums::add_up(std::uint64_t first_key) {
   constexpr std::uint32_t kMask = kFractions - 1;
   const bool with_intensity = !points_.intensity.empty();
-  voxels_.clear();
+  voxels_.assign(entries_.size(), {});
+  VoxelSum* voxel = voxels_.data();
+  std::uint32_t place = entries_.empty() ? 0 : entries_.front().voxel;
   for (const Entry& entry : entries_) {
-    const std::uint64_t key = first_key | entry.voxel;
-    if (voxels_.empty() || voxels_.back().key != key) voxels_.push_back({.key = key});
-    VoxelSum& voxel = voxels_.back();
-    ++voxel.count;
-    for (std::size_t k = 0; k < 3; ++k) voxel.offset_sum[k] += entry.offset >> (kFractionBits * k) & kMask;
+    voxel += entry.voxel != place ? 1 : 0;
+    place = entry.voxel;
+    voxel->key = first_key | place;
+    ++voxel->count;
+    for (std::size_t k = 0; k < 3; ++k) voxel->offset_sum[k] += entry.offset >> (kFractionBits * k) & kMask;
     if (!with_intensity) continue;
-    ++voxel.with_intensity;
-    voxel.intensity_sum += fixed_intensity(entry.intensity);
+    ++voxel->with_intensity;
+    voxel->intensity_sum += fixed_intensity(entry.intensity);
   }
+  voxels_.resize(entries_.empty() ? 0 : static_cast<std::size_t>(voxel - voxels_.data()) + 1);
 }
 
 }  // namespace scanway

@@ -47,7 +47,7 @@ class TilePacker {
       normals_.set(voxels);
       packer.pack(voxels, tile.sums);
       tile.voxels += voxels.size();
-      for (const CubeRun& run : of_cube) tile.points += run.count;
+      for (const VoxelSum& voxel : voxels) tile.points += voxel.count;
       runs = runs.subspan(of_cube.size());
     }
     return tile;
