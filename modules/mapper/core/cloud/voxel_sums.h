@@ -17,6 +17,7 @@ struct VoxelSum {
   std::int64_t intensity_sum = 0;
   std::array<std::int32_t, 3> normal_sum{};
 
+  bool operator==(const VoxelSum&) const = default;
   bool has_normal(const std::array<std::int32_t, 3>& normal) const {
     const auto points = static_cast<std::int32_t>(count);
     return normal_sum[0] == normal[0] * points && normal_sum[1] == normal[1] * points &&
