@@ -1,12 +1,10 @@
 #include "common/cloud/write_cloud.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cstring>
+#include <stdexcept>
 #include <vector>
-
-#include "common/files/atomic_file.h"
 
 namespace scanway {
 namespace {
@@ -15,42 +13,53 @@ static_assert(std::endian::native == std::endian::little);
 static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float));
 
 struct Column {
-  std::string name;
   const float* values;  ///< Of the first point.
   std::size_t stride;   ///< Floats from one point to the next.
 };
 
-void add_vectors(const std::array<std::string, 3>& names, const std::vector<Eigen::Vector3f>& vectors,
-                 std::vector<Column>& columns) {
+constexpr float kZero = 0.0f;
+
+void add_vectors(const std::vector<Eigen::Vector3f>& vectors, std::vector<Column>& columns) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    columns.push_back({names[axis], vectors.empty() ? nullptr : vectors.front().data() + axis, 3});
+    columns.push_back(vectors.empty() ? Column{&kZero, 0} : Column{vectors.front().data() + axis, 3});
   }
 }
 
-std::vector<Column> columns_of(const PointCloud& cloud, const std::array<std::string, 3>& normal) {
+std::vector<Column> columns_of(const PointCloud& cloud, const CloudShape& shape) {
   std::vector<Column> columns;
-  add_vectors({"x", "y", "z"}, cloud.points, columns);
-  if (!cloud.intensity.empty()) columns.push_back({"intensity", cloud.intensity.data(), 1});
-  if (!cloud.normals.empty()) add_vectors(normal, cloud.normals, columns);
+  add_vectors(cloud.points, columns);
+  if (shape.with_intensity) {
+    columns.push_back(cloud.intensity.empty() ? Column{&kZero, 0} : Column{cloud.intensity.data(), 1});
+  }
+  if (shape.with_normals) add_vectors(cloud.normals, columns);
   return columns;
 }
 
-std::string pcd_header(const std::vector<Column>& columns, std::size_t points) {
+using Names = std::vector<std::string>;
+
+Names names_of(const CloudShape& shape, const Names& normal) {
+  Names names = {"x", "y", "z"};
+  if (shape.with_intensity) names.push_back("intensity");
+  if (shape.with_normals) names.insert(names.end(), normal.begin(), normal.end());
+  return names;
+}
+
+std::string pcd_header(const CloudShape& shape) {
   std::string fields = "FIELDS", sizes = "SIZE", types = "TYPE", counts = "COUNT";
-  for (const Column& column : columns) {
-    fields += " " + column.name;
+  for (const std::string& name : names_of(shape, {"normal_x", "normal_y", "normal_z"})) {
+    fields += " " + name;
     sizes += " 4";
     types += " F";
     counts += " 1";
   }
-  const std::string number = std::to_string(points);
+  const std::string number = std::to_string(shape.points);
   return "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\n" + fields + "\n" + sizes + "\n" + types + "\n" +
          counts + "\nWIDTH " + number + "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + number + "\nDATA binary\n";
 }
 
-std::string ply_header(const std::vector<Column>& columns, std::size_t points) {
-  std::string header = "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(points) + "\n";
-  for (const Column& column : columns) header += "property float " + column.name + "\n";
+std::string ply_header(const CloudShape& shape) {
+  std::string header = "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(shape.points) + "\n";
+  for (const std::string& name : names_of(shape, {"nx", "ny", "nz"})) header += "property float " + name + "\n";
   return header + "end_header\n";
 }
 
@@ -72,23 +81,30 @@ void write_rows(AtomicFile& file, const std::vector<Column>& columns, std::size_
   }
 }
 
-void write(const std::string& path, const std::string& header, const std::vector<Column>& columns, std::size_t points) {
-  AtomicFile file(path);
-  file.write(header);
-  write_rows(file, columns, points);
-  file.commit();
+void write(const std::string& path, CloudWriter::Format format, const PointCloud& cloud) {
+  CloudWriter writer(path, format, {cloud.size(), !cloud.intensity.empty(), !cloud.normals.empty()});
+  writer.write(cloud);
+  writer.commit();
 }
 
 }  // namespace
 
-void write_pcd(const std::string& path, const PointCloud& cloud) {
-  const std::vector<Column> columns = columns_of(cloud, {"normal_x", "normal_y", "normal_z"});
-  write(path, pcd_header(columns, cloud.size()), columns, cloud.size());
+void write_pcd(const std::string& path, const PointCloud& cloud) { write(path, CloudWriter::Format::pcd, cloud); }
+
+void write_ply(const std::string& path, const PointCloud& cloud) { write(path, CloudWriter::Format::ply, cloud); }
+
+CloudWriter::CloudWriter(const std::string& path, Format format, const CloudShape& shape) : file_(path), shape_(shape) {
+  file_.write(format == Format::pcd ? pcd_header(shape) : ply_header(shape));
 }
 
-void write_ply(const std::string& path, const PointCloud& cloud) {
-  const std::vector<Column> columns = columns_of(cloud, {"nx", "ny", "nz"});
-  write(path, ply_header(columns, cloud.size()), columns, cloud.size());
+void CloudWriter::write(const PointCloud& part) {
+  write_rows(file_, columns_of(part, shape_), part.size());
+  written_ += part.size();
+}
+
+void CloudWriter::commit() {
+  if (written_ != shape_.points) throw std::logic_error("CloudWriter: not as many points as its header says");
+  file_.commit();
 }
 
 }  // namespace scanway

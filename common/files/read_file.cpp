@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstddef>
+#include <span>
 
 #include "common/files/file_descriptor.h"
 #include "common/files/input_error.h"
@@ -17,6 +18,7 @@
 namespace scanway {
 namespace {
 
+constexpr std::size_t kPart = std::size_t{1} << 20;
 constexpr std::size_t kMaxExpansion = 64;
 constexpr std::size_t kMaxExpansionBase = std::size_t{1} << 20;
 
@@ -70,11 +72,8 @@ std::string decompress(const std::string& bytes, const std::string& path) {
   return out;
 }
 
-}  // namespace
-
-std::string read_file(const std::string& path) {
-  const FileDescriptor file = open_to_read(path);
-  std::string bytes(size_of_regular(file, path), '\0');
+/// Reads until `bytes` are full or the file ends; how many it got.
+std::size_t read_into(std::span<char> bytes, const FileDescriptor& file, const std::string& path) {
   std::size_t done = 0;
   while (done < bytes.size()) {
     const ssize_t got = ::read(file.get(), bytes.data() + done, bytes.size() - done);
@@ -83,8 +82,22 @@ std::string read_file(const std::string& path) {
     if (got == 0) break;  // Somebody shortened it meanwhile: what is left is what there is.
     done += static_cast<std::size_t>(got);
   }
-  bytes.resize(done);
+  return done;
+}
+
+}  // namespace
+
+std::string read_file(const std::string& path) {
+  const FileDescriptor file = open_to_read(path);
+  std::string bytes(size_of_regular(file, path), '\0');
+  bytes.resize(read_into(bytes, file, path));
   return bytes;
+}
+
+void read_parts(const std::string& path, const std::function<void(std::string_view)>& take) {
+  const FileDescriptor file = open_to_read(path);
+  std::string part(std::min(size_of_regular(file, path), kPart), '\0');
+  while (const std::size_t size = read_into(part, file, path)) take(std::string_view(part).substr(0, size));
 }
 
 std::string read_file_decompressed(const std::string& path) {

@@ -4,8 +4,6 @@
 #include <sys/file.h>
 #include <unistd.h>
 
-#include <xxhash.h>
-
 #include <cerrno>
 #include <charconv>
 #include <filesystem>
@@ -16,6 +14,7 @@
 #include <vector>
 
 #include "common/files/atomic_file.h"
+#include "common/files/file_digest.h"
 #include "common/files/input_error.h"
 #include "common/files/printable.h"
 #include "common/files/read_file.h"
@@ -38,13 +37,8 @@ std::string staging_of(const std::string& folder) { return folder + "/" + kStagi
   throw InputError(printable(path) + ": " + what);
 }
 
-std::uint64_t digest_of_file(const std::string& path) {
-  const std::string bytes = read_file(path);
-  return XXH3_64bits(bytes.data(), bytes.size());
-}
-
 bool holds(const std::string& path, std::uint64_t digest) {
-  return fs::is_regular_file(path) && digest_of_file(path) == digest;
+  return fs::is_regular_file(path) && file_digest(path) == digest;
 }
 
 std::string hexadecimal(std::uint64_t digest) {
@@ -175,7 +169,7 @@ SavedFolder::SavedFolder(std::string folder) : folder_(std::move(folder)) {
   if (lock.is_open()) finish_save(folder_, digests_);  // Else somebody is at work on a new save.
   for (const auto& [name, digest] : digests_) {
     if (!fs::is_regular_file(path_of(name))) fail(path_of(name), "is missing from the saved map; save the map again");
-    if (digest_of_file(path_of(name)) != digest) {
+    if (file_digest(path_of(name)) != digest) {
       fail(path_of(name), std::string("is damaged: it is not what ") + kList + " says; save the map again");
     }
   }
@@ -192,7 +186,7 @@ FolderSave::~FolderSave() {
 void FolderSave::commit() {
   Digests digests;
   for (const std::string& name : files_below(staging_of(folder_))) {
-    digests[name] = digest_of_file(files_.path_of(name));
+    digests[name] = file_digest(files_.path_of(name));
     sync_folder(fs::path(files_.path_of(name)).parent_path());
   }
   const std::string list = files_.path_of(kList);

@@ -19,6 +19,12 @@ std::string product(const SavedFolder& map, const std::string& name) {
   return map.path_of(name);
 }
 
+void copy_file(const std::string& from, const std::string& to) {
+  AtomicFile file(to);
+  read_parts(from, [&file](std::string_view part) { file.write(part); });
+  file.commit();
+}
+
 }  // namespace
 
 int run_export_map(const ExportMapOptions& options) {
@@ -26,7 +32,7 @@ int run_export_map(const ExportMapOptions& options) {
   const std::string end = std::filesystem::path(to).extension();
   const SavedFolder map(options.folder);
   if (end == ".pcd" || end == ".ply" || end == ".bt" || end == ".ot") {
-    write_file(to, read_file(product(map, "map" + end)));
+    copy_file(product(map, "map" + end), to);
   } else if (end == ".yaml") {
     write_map(read_map(product(map, "costmap.yaml")), to);
   } else if (end == ".las") {

@@ -69,6 +69,25 @@ TEST(WriteCloud, WritesNormalsAfterTheRest) {
                 row);
 }
 
+TEST(WriteCloud, WritesPartsAsTheWhole) {
+  const test::ScratchFolder folder;
+  const PointCloud first = random_cloud(70'000, true), second = random_cloud(3, false), third = random_cloud(5, true);
+  PointCloud whole;
+  for (const PointCloud* part : {&first, &second, &third}) {
+    whole.points.insert(whole.points.end(), part->points.begin(), part->points.end());
+    whole.intensity.insert(whole.intensity.end(), part->intensity.begin(), part->intensity.end());
+    whole.intensity.resize(whole.points.size());
+  }
+  write_pcd(folder / "whole.pcd", whole);
+  CloudWriter writer(folder / "parts.pcd", CloudWriter::Format::pcd, {whole.size(), true, false});
+  writer.write(first);
+  writer.write(second);
+  EXPECT_THROW(writer.commit(), std::logic_error);
+  writer.write(third);
+  writer.commit();
+  EXPECT_EQ(test::read_text(folder / "parts.pcd"), test::read_text(folder / "whole.pcd"));
+}
+
 TEST(WriteCloud, SaysWhereItCannotWrite) {
   const test::ScratchFolder folder;
   const std::string path = write_file_in(folder, "file", "") + "/map.pcd";

@@ -1,13 +1,18 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
+#include <string_view>
 
 #include "modules/mapper/core/octomap/node_blocks.h"
 #include "modules/mapper/core/octomap/voxel_bricks.h"
 #include "modules/mapper/core/octomap/voxel_history.h"
 
 namespace scanway {
+
+/// Takes a file's bytes, some after the other.
+using TakeBytes = std::function<void(std::string_view)>;
 
 /// octomap::OcTree with its default sensor model, as far as sweeps and files need it, in blocks instead of nodes with
 /// an allocation each. Values are added and cut off as OctoMap does it, in float.
@@ -30,7 +35,7 @@ class LogOddsTree {
 
   /// The files that OcTree::write and writeBinary make (the latter of a tree whose nodes are set to their most likely
   /// state and pruned; this tree stays as it is).
-  std::string ot_bytes(double resolution_m) const;
+  void write_ot(double resolution_m, const TakeBytes& take) const;
   std::string bt_bytes(double resolution_m) const;
 
  private:

@@ -56,7 +56,15 @@ OccupancyTree::Size OccupancyTree::size() const {
   return {size.nodes, size.leaves};
 }
 
-std::string OccupancyTree::ot_bytes() const { return tree_->ot_bytes(config_.resolution_m); }
+std::string OccupancyTree::ot_bytes() const {
+  std::string bytes;
+  write_ot([&bytes](std::string_view part) { bytes += part; });
+  return bytes;
+}
+
+void OccupancyTree::write_ot(const std::function<void(std::string_view)>& take) const {
+  tree_->write_ot(config_.resolution_m, take);
+}
 
 std::string OccupancyTree::bt_bytes() const { return tree_->bt_bytes(config_.resolution_m); }
 

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "modules/mapper/core/cloud/map_points.h"
 #include "modules/mapper/core/cloud/sweep_number.h"
@@ -44,6 +46,8 @@ class OccupancyTree {
   void settle();
 
   std::string ot_bytes() const;  ///< The .ot file: every node's log-odds.
+  /// The same, some bytes after the other: of a large map they are too many to hold.
+  void write_ot(const std::function<void(std::string_view)>& take) const;
   std::string bt_bytes() const;  ///< The .bt file: each node at its most likely state.
 
   struct Size {

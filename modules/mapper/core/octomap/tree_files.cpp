@@ -3,6 +3,7 @@
 #include <cstring>
 #include <locale>
 #include <sstream>
+#include <string_view>
 
 #include "modules/mapper/core/octomap/log_odds_tree.h"
 
@@ -17,32 +18,60 @@ std::string header(const char* first_line, std::size_t nodes, double resolution_
   return text.str();
 }
 
-/// A node's value; which children it has is still to be said in the byte behind it.
-std::size_t put_value(float log_odds, std::string& data) {
-  const std::size_t at = data.size();
-  data.resize(at + sizeof(float) + 1);
-  std::memcpy(&data[at], &log_odds, sizeof(float));
-  return at + sizeof(float);
+/// Bytes on their way to whoever takes them, some at a time.
+class Parts {
+ public:
+  explicit Parts(const TakeBytes& take) : take_(take) {}
+
+  void put(std::string_view bytes) {
+    part_.append(bytes);
+    if (part_.size() >= kPart) pass_on();
+  }
+  void pass_on() {
+    take_(part_);
+    part_.clear();
+  }
+
+ private:
+  static constexpr std::size_t kPart = std::size_t{1} << 16;
+
+  const TakeBytes& take_;
+  std::string part_;
+};
+
+/// A node's value, and a bit for each child that it has.
+void put_node(float log_odds, unsigned children, Parts& parts) {
+  std::array<char, sizeof(float) + 1> bytes{};
+  std::memcpy(bytes.data(), &log_odds, sizeof(float));
+  bytes.back() = static_cast<char>(children);
+  parts.put({bytes.data(), bytes.size()});
 }
 
-/// Of each node its value and which children it has, parents first.
-void write_values(const TreeBlocks& blocks, const NodeBlock& block, std::size_t child, int level, std::string& data) {
-  const std::size_t children_at = put_value(block.log_odds[child], data);
-  const BlockNumber children = block.children[child];
+template <class Block>
+unsigned present_in(const Block& block) {
   unsigned present = 0;
-  for (std::size_t i = 0; i < 8 && children != 0; ++i) {
-    if (level == 1) {
-      const VoxelBlock& voxels = blocks.voxels[children];
-      if (!voxels.has(i)) continue;
-      put_value(voxels.log_odds[i], data);
-    } else {
-      const NodeBlock& nodes = blocks.nodes[children];
-      if (!nodes.has(i)) continue;
-      write_values(blocks, nodes, i, level - 1, data);
+  for (std::size_t i = 0; i < 8; ++i) present |= static_cast<unsigned>(block.has(i)) << i;
+  return present;
+}
+
+/// Parents first.
+void write_values(const TreeBlocks& blocks, const NodeBlock& block, std::size_t child, int level, Parts& parts) {
+  const float value = block.log_odds[child];
+  const BlockNumber number = block.children[child];
+  if (number == 0) return put_node(value, 0, parts);
+  if (level == 1) {
+    const VoxelBlock& voxels = blocks.voxels[number];
+    put_node(value, present_in(voxels), parts);
+    for (std::size_t i = 0; i < 8; ++i) {
+      if (voxels.has(i)) put_node(voxels.log_odds[i], 0, parts);
     }
-    present |= 1u << i;
+    return;
   }
-  data[children_at] = static_cast<char>(present);
+  const NodeBlock& nodes = blocks.nodes[number];
+  put_node(value, present_in(nodes), parts);
+  for (std::size_t i = 0; i < 8; ++i) {
+    if (nodes.has(i)) write_values(blocks, nodes, i, level - 1, parts);
+  }
 }
 
 void count(const TreeBlocks& blocks, const NodeBlock& block, std::size_t child, int level, LogOddsTree::Size& size) {
@@ -143,10 +172,11 @@ LogOddsTree::Size LogOddsTree::size() const {
   return size;
 }
 
-std::string LogOddsTree::ot_bytes(double resolution_m) const {
-  std::string data;
-  if (top_.has(0)) write_values(blocks_, top_, 0, kTreeLevels, data);
-  return header("# Octomap OcTree file", data.size() / (sizeof(float) + 1), resolution_m) + data;
+void LogOddsTree::write_ot(double resolution_m, const TakeBytes& take) const {
+  Parts parts(take);
+  parts.put(header("# Octomap OcTree file", size().nodes, resolution_m));
+  if (top_.has(0)) write_values(blocks_, top_, 0, kTreeLevels, parts);
+  parts.pass_on();
 }
 
 std::string LogOddsTree::bt_bytes(double resolution_m) const {

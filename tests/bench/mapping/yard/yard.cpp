@@ -52,6 +52,20 @@ Yard site() {
   return yard;
 }
 
+/// The things that a beam of that heading may meet, whatever its elevation: a millimetre is far more than rounding.
+std::vector<Box> things_towards(const Yard& yard, const Eigen::Vector3d& origin, double heading) {
+  const Eigen::Vector2d ahead(std::cos(heading), std::sin(heading)), left(-ahead.y(), ahead.x());
+  std::vector<Box> things;
+  for (const Box& box : yard.things) {
+    const Eigen::Vector2d centre = (box.low + box.high).head<2>() / 2.0 - origin.head<2>();
+    const Eigen::Vector2d half = (box.high - box.low).head<2>() / 2.0 + Eigen::Vector2d::Constant(0.001);
+    if (std::abs(centre.dot(left)) <= half.dot(left.cwiseAbs()) && centre.dot(ahead) + half.norm() >= 0.0) {
+      things.push_back(box);
+    }
+  }
+  return things;
+}
+
 /// The range at which a ray from inside the yard meets the ground (rough, so `height`), a wall or the sky's end.
 double range_of_walls(const Yard& yard, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
                       double height) {
@@ -82,11 +96,12 @@ MapPoints sweep_of(const Yard& yard, const Eigen::Vector3d& origin, std::uint64_
   sweep.origin = origin;
   for (int i = 0; i < steps_round; ++i) {
     const double heading = 2.0 * repeatable::kPi * (i + 0.3) / steps_round;
+    const std::vector<Box> things = things_towards(yard, origin, heading);
     for (int j = 0; j < steps_up; ++j) {
       const double up = repeatable::kPi * (-0.40 + 0.55 * (j + 0.3) / steps_up);
       const Eigen::Vector3d direction(std::cos(up) * std::cos(heading), std::cos(up) * std::sin(heading), std::sin(up));
       double range = range_of_walls(yard, sweep.origin, direction, 0.01 * random.normal());
-      for (const Box& box : yard.things) range = std::min(range, range_of_box(sweep.origin, direction, box));
+      for (const Box& box : things) range = std::min(range, range_of_box(sweep.origin, direction, box));
       const Eigen::Vector3d p = sweep.origin + direction * (range + 0.003 * random.normal());
       if (p.z() < yard.wall) sweep.points.push_back(p.cast<float>());
     }

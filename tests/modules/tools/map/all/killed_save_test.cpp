@@ -44,7 +44,7 @@ TEST(KilledSave, LeavesTheOldMapOrTheNewOne) {
   const std::string folder = scratch / "map";
   const auto begin = std::chrono::steady_clock::now();
   succeed({kScanway, "map", "save", scratch / "one", "-o", folder});
-  const double whole_us = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count();
+  double whole_us = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count();
   const Files one = SavedFolder(folder).digests();
   succeed({kScanway, "map", "save", scratch / "other", "-o", folder});
   const Files other = SavedFolder(folder).digests();
@@ -61,6 +61,8 @@ TEST(KilledSave, LeavesTheOldMapOrTheNewOne) {
     const Files now = SavedFolder(folder).digests();
     ASSERT_TRUE(now == one || now == other) << "trial " << trial << ": neither the old map nor the new one";
     if (now != held) ++replaced;
+    // How long a save takes depends on what else the machine does at the time, so the moments follow it.
+    whole_us *= now != held ? 0.9 : 1.1;
     held = now;
   }
   std::printf("%d of %d savers were killed at work; the map was replaced %d times\n", killed, kTrials, replaced);
