@@ -49,7 +49,7 @@ std::uint8_t passed_over(double x, double y, const GroundSurface::Place& ground,
                          const DropView& drops) {
   const Eigen::Vector2d direction(x - view.origin().x(), y - view.origin().y());
   const polar::Place place(direction.x(), direction.y());
-  if (!ground.carried) return view.seen_empty(place, ground.height) ? EvidenceTile::kEmpty : 0;
+  if (!ground.carried) return view.seen_empty(place, ground) ? EvidenceTile::kEmpty : 0;
   const DropView::Way way = drops.way(place, direction, ground);
   switch (way.below) {
     case DropView::Below::drop:
@@ -59,7 +59,7 @@ std::uint8_t passed_over(double x, double y, const GroundSurface::Place& ground,
     case DropView::Below::unsure:
       return EvidenceTile::kUnsure;
     default:
-      if (!view.seen_empty(place, ground.height)) return 0;
+      if (!view.seen_empty(place, ground)) return 0;
       return way.sparse ? EvidenceTile::kSparse : EvidenceTile::kEmpty;
   }
 }

@@ -17,8 +17,8 @@ using polar::kSectors;
 using polar::sector_of;
 
 constexpr double kSparseDepth = 0.5;  // metres behind an obstacle's return: the rows on a table top are this far apart
-constexpr double kTallDepth = 30.0;   // metres behind a return from what the sensor does not look over: a car's width
 constexpr double kLookOver = 0.3;     // metres: the sensor looks over what is this far below it
+constexpr double kLeaning = 0.04;     // metres a metre, against all the ground
 constexpr double kMaxSpacing = 0.15;  // metres
 constexpr float kNoBeam = std::numeric_limits<float>::infinity();
 
@@ -69,6 +69,7 @@ SweepView::SweepView(const MapPoints& points, const std::vector<Eigen::Vector3f>
                      const std::vector<ObstacleReturn>& obstacles, const SweepViewConfig& config)
     : config_(config),
       origin_(points.origin),
+      plane_(ground.plane()),
       spacing_(median_spacing(points)),
       bins_(static_cast<int>(config.max_range_m / kBin)) {
   lowest_.assign(static_cast<std::size_t>(kSectors) * bins_, kNoBeam);
@@ -115,6 +116,7 @@ void SweepView::pass_on() {
 }
 
 void SweepView::hide_behind(const std::vector<ObstacleReturn>& obstacles) {
+  std::vector<std::int32_t> edges(hidden_.size() + 1, 0);  // +1 where a wholly hidden stretch begins, -1 behind its end
   for (const ObstacleReturn& obstacle : obstacles) {
     const double sensor_above = obstacle.above - obstacle.from_sensor;
     // By similar triangles: where the beam, had it gone on, would have come down to the step.
@@ -122,13 +124,21 @@ void SweepView::hide_behind(const std::vector<ObstacleReturn>& obstacles) {
                                ? obstacle.range * (sensor_above - config_.climbable_step_m) / -obstacle.from_sensor
                                : config_.max_range_m;
     const bool tall = obstacle.from_sensor >= -kLookOver || obstacle.above >= config_.body_height_m - kLookOver;
-    const double end =
-        std::min({landing, obstacle.range + (tall ? kTallDepth : kSparseDepth), config_.max_range_m - kBin});
+    const double end = std::min({landing, tall ? landing : obstacle.range + kSparseDepth, config_.max_range_m - kBin});
     const int first = std::min(static_cast<int>(obstacle.range / kBin), bins_ - 1);
     const int last = std::max(first, static_cast<int>(end / kBin));
-    float* hidden = &hidden_[static_cast<std::size_t>(obstacle.sector) * bins_];
-    const float top = tall ? kNoBeam : obstacle.from_sensor;
-    for (int bin = first; bin <= last && hidden[bin] != kNoBeam; ++bin) hidden[bin] = std::max(hidden[bin], top);
+    const std::size_t sector = static_cast<std::size_t>(obstacle.sector) * bins_;
+    if (tall) {
+      ++edges[sector + first], --edges[sector + last + 1];
+      continue;
+    }
+    for (int bin = first; bin <= last; ++bin) {
+      hidden_[sector + bin] = std::max(hidden_[sector + bin], obstacle.from_sensor);
+    }
+  }
+  std::int32_t open = 0;  // every stretch ends in its own sector
+  for (std::size_t i = 0; i < hidden_.size(); ++i) {
+    if ((open += edges[i]) > 0) hidden_[i] = kNoBeam;
   }
 }
 
@@ -160,15 +170,22 @@ void SweepView::look_around() {
   hidden_.swap(hidden);
 }
 
-bool SweepView::seen_empty(const polar::Place& place, double ground_height) const {
+bool SweepView::leans(const GroundSurface::Place& ground) const {
+  const double x = ground.slope_x - plane_.slope_x, y = ground.slope_y - plane_.slope_y;
+  return x * x + y * y > kLeaning * kLeaning;
+}
+
+bool SweepView::seen_empty(const polar::Place& place, const GroundSurface::Place& ground) const {
   if (place.bin >= bins_) return false;
   const std::size_t at = static_cast<std::size_t>(place.sector) * bins_ + place.bin;
-  const double sensor_above = origin_.z() - ground_height;
-  if (hidden_[at] + sensor_above > config_.climbable_step_m + config_.range_sigma_m) return false;
+  const double sensor_above = origin_.z() - ground.height;
+  const double step = config_.climbable_step_m + config_.range_sigma_m;
+  // A slab that leans on the ground is carried like a ramp; all that its edge returns hides it.
+  if (hidden_[at] > (leans(ground) ? -kNoBeam : step - sensor_above)) return false;
   const double beam_above = sensor_above + lowest_[at] * place.range - 0.5 * config_.divergence * place.range;
   // The next return of a thinned floor is up to 1.5 steps further out; its beam passes here that much higher.
   const double thinned = 1.5 * spacing_ * sensor_above / std::max(place.range, kBin);
-  return beam_above <= std::min(config_.climbable_step_m + config_.range_sigma_m + thinned, config_.body_height_m);
+  return beam_above <= std::min(step + thinned, config_.body_height_m);
 }
 
 }  // namespace scanway

@@ -19,8 +19,10 @@ namespace scanway {
 ///
 /// Behind a return from an obstacle, but not beyond where its beam would have reached the ground, the beam's further
 /// way is hidden. It is for 0.5 m where the sensor looks down upon the obstacle: it shows how deep it is by returns
-/// from its top, however sparse, and these must not open it between them. It is for 2 m where the obstacle reaches up
-/// to the sensor: nothing shows its depth, and beams that go on below it (a car, a bench) see floor that it covers.
+/// from its top, however sparse, and these must not open it between them. It is without end where the obstacle reaches
+/// up to the sensor, or as high as the body: nothing shows its depth, and beams that go on below it (a car, a bench)
+/// see floor that it covers. Ground that lies as high as the return itself is not hidden by it (the top of a kerb, by
+/// the kerb's face), unless that ground leans: slabs of rubble do.
 ///
 /// A beam that met nothing passed over everything as far as kMissingRange, or to where it would have come down:
 /// further out a thing may be too dark for it.
@@ -36,7 +38,7 @@ class SweepView {
 
   /// Whether the air over the ground at a place about the sensor was seen to be empty from the climbable step upwards:
   /// the lowest beam passed within the step, the range's deviation, its own half width and the thinning of it.
-  bool seen_empty(const polar::Place& place, double ground_height) const;
+  bool seen_empty(const polar::Place& place, const GroundSurface::Place& ground) const;
 
   /// The median distance of returns, metres.
   double spacing_m() const { return spacing_; }
@@ -52,9 +54,11 @@ class SweepView {
   void pass_on();
   void hide_behind(const std::vector<ObstacleReturn>& obstacles);
   void look_around();
+  bool leans(const GroundSurface::Place& ground) const;
 
   SweepViewConfig config_;
   Eigen::Vector3d origin_;
+  GroundPlane plane_;
   double spacing_ = 0.0;
   int bins_ = 0;
   std::vector<float> lowest_;  ///< By sector, then bin: the least slope (dz / horizontal range) of beams over it.
