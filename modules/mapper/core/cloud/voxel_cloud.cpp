@@ -2,21 +2,17 @@
 
 #include <algorithm>
 #include <iterator>
-#include <span>
 #include <stdexcept>
 #include <utility>
 
-#include "modules/mapper/core/cloud/packed_sums.h"
-#include "modules/mapper/core/cloud/surface_normals.h"
+#include "modules/mapper/core/cloud/centroids.h"
+#include "modules/mapper/core/cloud/packed_sweep.h"
 #include "modules/mapper/core/cloud/voxel_place.h"
 
 namespace scanway {
 namespace {
 
-constexpr int kTileBits = 27;
 constexpr VoxelCloud::TileNumber kNoTile = std::numeric_limits<VoxelCloud::TileNumber>::max();  // after all others
-
-VoxelCloud::TileNumber tile_of(const VoxelSum& voxel) { return voxel.key >> kTileBits; }
 
 }  // namespace
 
@@ -24,22 +20,22 @@ VoxelCloud::VoxelCloud(double voxel_m, std::shared_ptr<ByteStore> store)
     : voxel_m_(voxel_m), store_(std::move(store)) {}
 
 void VoxelCloud::put(SweepNumber sweep, const MapPoints& points) {
-  std::vector<VoxelSum> sums = voxel_sums(points, voxel_m_);
-  set_normals(sums, points.origin, voxel_m_);
-  const bool with_intensity = !points.intensity.empty() && !sums.empty();
+  const std::vector<PackedTile> tiles = packed_sweep(points, voxel_m_);
   std::map<TileNumber, std::size_t> begin;
-  std::vector<std::uint8_t> bytes;
-  for (auto from = sums.begin(); from != sums.end();) {
-    const TileNumber tile = tile_of(*from);
-    const auto to = std::find_if(from, sums.end(), [tile](const VoxelSum& voxel) { return tile_of(voxel) != tile; });
-    begin.emplace_hint(begin.end(), tile, bytes.size());
-    pack({from, to}, tile << kTileBits, with_intensity, bytes);
-    from = to;
+  std::size_t size = 0, voxels = 0, points_left_out = points.points.size();
+  for (const PackedTile& tile : tiles) {
+    begin.emplace_hint(begin.end(), tile.number, size);
+    size += tile.sums.size();
+    voxels += tile.voxels;
+    points_left_out -= tile.points;
   }
-  begin.emplace_hint(begin.end(), kNoTile, bytes.size());
+  begin.emplace_hint(begin.end(), kNoTile, size);
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(size);
+  for (const PackedTile& tile : tiles) bytes.insert(bytes.end(), tile.sums.begin(), tile.sums.end());
   if (const auto before = views_.find(sweep); before != views_.end()) forget(before);
-  View view{std::move(begin), StoredBytes(store_, std::move(bytes)), with_intensity,
-            points.points.size() - count_points(sums)};
+  const bool with_intensity = !points.intensity.empty() && !tiles.empty();
+  View view{std::move(begin), StoredBytes(store_, std::move(bytes)), voxels, with_intensity, points_left_out};
   note_change(view);
   views_.emplace(sweep, std::move(view));
 }
@@ -81,16 +77,14 @@ std::vector<VoxelCloud::TileNumber> VoxelCloud::tiles() const {
   return {tiles.begin(), tiles.end()};
 }
 
-std::vector<VoxelSum> VoxelCloud::sums_of(TileNumber tile, SweepNumber end) const {
-  std::vector<VoxelSum> sums;
+TileSums VoxelCloud::sums_of(TileNumber tile, SweepNumber end) const {
+  TileSums sums;
   for (auto sweep = views_.begin(); sweep != views_.end() && sweep->first < end; ++sweep) {
     const View& view = sweep->second;
     const auto part = view.begin.find(tile);
     if (part == view.begin.end()) continue;
-    const std::vector<std::uint8_t> bytes = view.sums.fetch(part->second, std::next(part)->second);
-    unpack(bytes, tile << kTileBits, view.with_intensity, sums);
+    sums.add(view.sums.fetch(part->second, std::next(part)->second), tile << kTileBits, view.with_intensity);
   }
-  add_up(sums);
   return sums;
 }
 
@@ -99,21 +93,34 @@ PointCloud VoxelCloud::centroids_of(TileNumber tile) const {
     return view.second.with_intensity && view.second.begin.contains(tile);
   });
   PointCloud cloud;
-  append_centroids(sums_of(tile, std::numeric_limits<SweepNumber>::max()), voxel_m_, with_intensity, cloud);
+  Centroids centroids(voxel_m_, with_intensity, cloud);
+  for (TileSums sums = sums_of(tile); sums.next();) centroids.append(sums.cube());
   return cloud;
 }
 
 PointCloud VoxelCloud::centroids(SweepNumber end) const {
-  const bool with_intensity =
-      std::any_of(views_.begin(), views_.lower_bound(end), [](const auto& view) { return view.second.with_intensity; });
+  bool with_intensity = false;
+  std::size_t most_voxels = 0;
+  for (auto sweep = views_.begin(); sweep != views_.lower_bound(end); ++sweep) {
+    with_intensity |= sweep->second.with_intensity;
+    most_voxels = std::max(most_voxels, sweep->second.voxels);
+  }
   PointCloud cloud;
-  for (const TileNumber tile : tiles()) append_centroids(sums_of(tile, end), voxel_m_, with_intensity, cloud);
+  cloud.points.reserve(most_voxels);
+  cloud.normals.reserve(most_voxels);
+  if (with_intensity) cloud.intensity.reserve(most_voxels);
+  Centroids centroids(voxel_m_, with_intensity, cloud);
+  for (const TileNumber tile : tiles()) {
+    for (TileSums sums = sums_of(tile, end); sums.next();) centroids.append(sums.cube());
+  }
   return cloud;
 }
 
 std::size_t VoxelCloud::size() const {
   std::size_t size = 0;
-  for (const TileNumber tile : tiles()) size += sums_of(tile, std::numeric_limits<SweepNumber>::max()).size();
+  for (const TileNumber tile : tiles()) {
+    for (TileSums sums = sums_of(tile); sums.next();) size += sums.cube().size();
+  }
   return size;
 }
 

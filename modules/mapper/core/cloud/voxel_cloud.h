@@ -13,7 +13,7 @@
 #include "common/cloud/point_cloud.h"
 #include "modules/mapper/core/cloud/map_points.h"
 #include "modules/mapper/core/cloud/sweep_number.h"
-#include "modules/mapper/core/cloud/voxel_sums.h"
+#include "modules/mapper/core/cloud/tile_sums.h"
 #include "modules/mapper/core/storage/byte_store.h"
 
 namespace scanway {
@@ -58,11 +58,12 @@ class VoxelCloud {
   struct View {
     std::map<TileNumber, std::size_t> begin;  ///< Where each tile's sums begin, and at last where all end.
     StoredBytes sums;
+    std::size_t voxels = 0;
     bool with_intensity = false;
     std::uint64_t points_out_of_extent = 0;
   };
 
-  std::vector<VoxelSum> sums_of(TileNumber tile, SweepNumber end) const;
+  TileSums sums_of(TileNumber tile, SweepNumber end = std::numeric_limits<SweepNumber>::max()) const;
   void note_change(const View& view);
   void forget(std::map<SweepNumber, View>::iterator view);
 

@@ -5,9 +5,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "common/cloud/point_cloud.h"
-#include "modules/mapper/core/cloud/map_points.h"
-
 namespace scanway {
 
 /// What the points in one voxel sum up to. Offsets are from the voxel's lowest corner, in 1024ths of its side;
@@ -20,6 +17,7 @@ struct VoxelSum {
   std::int64_t intensity_sum = 0;
   std::array<std::int32_t, 3> normal_sum{};
 
+  bool operator==(const VoxelSum&) const = default;
   bool has_normal(const std::array<std::int32_t, 3>& normal) const {
     const auto points = static_cast<std::int32_t>(count);
     return normal_sum[0] == normal[0] * points && normal_sum[1] == normal[1] * points &&
@@ -35,22 +33,10 @@ struct VoxelSum {
   }
 };
 
+constexpr double kIntensityUnit = 256.0;
 constexpr double kNormalUnit = 127.0;
-
-/// The sums of some points, by key. Points that are not finite or further than 2^20 voxels from the origin are left
-/// out.
-std::vector<VoxelSum> voxel_sums(const MapPoints& points, double voxel_m);
 
 /// Sorts sums by key and adds up those of one voxel. Integers: the order in which they come does not matter.
 void add_up(std::vector<VoxelSum>& sums);
-
-/// The points that all the sums were made of.
-std::size_t count_points(const std::vector<VoxelSum>& sums);
-
-/// The direction of all its points' normals together; 0 where none is known, or they are against each other.
-Eigen::Vector3f mean_normal(const VoxelSum& voxel);
-
-/// Appends each voxel's centroid and normal, and if asked for its mean intensity (0 where no point had any).
-void append_centroids(const std::vector<VoxelSum>& sums, double voxel_m, bool with_intensity, PointCloud& cloud);
 
 }  // namespace scanway

@@ -94,6 +94,24 @@ TEST(VoxelCloud, TheOrderOfPointsAndSweepsDoesNotMatter) {
   EXPECT_GT(a.size(), 20000u);
 }
 
+TEST(VoxelCloud, AFlatGroundOnTheBordersOfCubesIsWholeInAnyOrder) {
+  Random random(6);
+  MapPoints ground;
+  ground.origin = {0.0, 0.0, 1.4};
+  for (int line = 0; line < 200; ++line) {
+    for (int beam = 0; beam < 200; ++beam) {
+      ground.points.emplace_back(0.02 * line - 2.0, 0.02 * beam - 2.0, 0.005 * random.normal());
+      ground.intensity.push_back(static_cast<float>(random.below(256)));
+    }
+  }
+  ground.points[77] = {0.0f, std::numeric_limits<float>::quiet_NaN(), 0.0f};
+  VoxelCloud in_lines(0.01), anyhow(0.01);
+  in_lines.put(0, ground);
+  anyhow.put(0, shuffled(ground, 7));
+  EXPECT_TRUE(same_bytes(in_lines.centroids(), anyhow.centroids()));
+  EXPECT_EQ(in_lines.points_out_of_extent(), 1u);
+}
+
 TEST(VoxelCloud, KilometresApartIsNoOverflow) {
   MapPoints points;
   points.points = {{4000.0f, -4000.0f, 100.0f}, {-4000.0f, 4000.0f, -100.0f}, {4000.001f, -4000.0f, 100.0f}};
