@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "modules/mapper/core/octomap/node_blocks.h"
+#include "modules/mapper/core/octomap/tree_blocks.h"
 #include "modules/mapper/core/octomap/voxel_bricks.h"
 #include "modules/mapper/core/octomap/voxel_history.h"
 

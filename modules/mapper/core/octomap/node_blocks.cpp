@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "modules/mapper/core/octomap/voxel_blocks.h"
+
 namespace scanway {
 
 template <class Block>
@@ -36,6 +38,7 @@ void BlockPool<Block>::give_back(const std::vector<BlockNumber>& blocks) {
 }
 
 template class BlockPool<NodeBlock>;
+template class BlockPool<FewVoxelValues>;
 template class BlockPool<VoxelBlock>;
 
 }  // namespace scanway

@@ -14,6 +14,7 @@ namespace scanway {
 
 /// A block's number; there is no block 0: a node without children has that.
 using BlockNumber = std::uint32_t;
+constexpr BlockNumber kLastBlock = (BlockNumber{1} << 28) - 1;
 
 /// The value of a node that is not there: not a number.
 constexpr float kNoNode = std::numeric_limits<float>::quiet_NaN();
@@ -28,14 +29,6 @@ struct alignas(64) NodeBlock {
     log_odds.fill(value);
     children.fill(0);
   }
-};
-
-/// The same of voxels, which have no children: seven blocks of eight are of this kind.
-struct alignas(32) VoxelBlock {
-  std::array<float, 8> log_odds;
-
-  bool has(std::size_t child) const { return !std::isnan(log_odds[child]); }
-  void fill(float value) { log_odds.fill(value); }
 };
 
 /// Blocks of one tree. They keep their addresses; reading them while others are taken is safe.
@@ -54,7 +47,7 @@ class BlockPool {
  private:
   static constexpr int kChunkBits = 15;
   static constexpr BlockNumber kChunkSize = BlockNumber{1} << kChunkBits;
-  static constexpr BlockNumber kMostChunks = BlockNumber{1} << 13;
+  static constexpr BlockNumber kMostChunks = (kLastBlock >> kChunkBits) + 1;
   static constexpr std::size_t kTakenAtOnce = 256;
 
   void add_chunk();
@@ -63,12 +56,6 @@ class BlockPool {
   BlockNumber next_ = 1;                          ///< The first that was never taken.
   std::vector<BlockNumber> unused_;
   std::mutex mutex_;
-};
-
-/// All blocks of a tree.
-struct TreeBlocks {
-  BlockPool<NodeBlock> nodes;
-  BlockPool<VoxelBlock> voxels;
 };
 
 /// One thread's supply of blocks; what is left of it goes back at the end.
@@ -80,12 +67,11 @@ class BlockSupply {
   BlockSupply& operator=(const BlockSupply&) = delete;
   ~BlockSupply() { blocks_.give_back(stock_); }
 
-  /// A block of nodes without children, all of that value.
-  BlockNumber take(float log_odds) {
+  /// A block of any content.
+  BlockNumber take() {
     if (stock_.empty()) stock_ = blocks_.take();
     const BlockNumber number = stock_.back();
     stock_.pop_back();
-    blocks_[number].fill(log_odds);
     return number;
   }
   void give_back(BlockNumber number) { stock_.push_back(number); }

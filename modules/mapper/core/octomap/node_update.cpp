@@ -77,15 +77,22 @@ void NodeUpdate::update_byte(const Node& node, const SmallCube& cube) {
   if (node.is_leaf()) {
     if (cube.occupied == 0 && (cube.free == 255 || at_bound(node, model_.least))) return add(node, model_.miss);
     if (cube.free == 0 && (cube.occupied == 255 || at_bound(node, model_.most))) return add(node, model_.hit);
-    open_voxels(node);
   }
-  std::array<float, 8>& values = voxels_[node.children()].log_odds;
+  VoxelBlock voxels = voxels_of(node);
   for (std::size_t i = 0; i < 8; ++i) {
-    const float before = values[i], start = before == before ? before : 0.0f;
+    const float before = voxels.log_odds[i], start = before == before ? before : 0.0f;
     const float after = model_.after(start, cube.occupied >> i & 1 ? model_.hit : model_.miss);
-    values[i] = (cube.free | cube.occupied) >> i & 1 ? after : before;
+    voxels.log_odds[i] = (cube.free | cube.occupied) >> i & 1 ? after : before;
   }
-  finish_voxels(node);
+  finish(node, voxels);
+}
+
+/// As they are, or those of a leaf.
+VoxelBlock NodeUpdate::voxels_of(const Node& node) const {
+  if (!node.is_leaf()) return voxels_[node.children()];
+  VoxelBlock voxels;
+  voxels.log_odds.fill(value_of_children(node));
+  return voxels;
 }
 
 Node NodeUpdate::child_of(const Node& node, std::size_t i) {
@@ -104,9 +111,9 @@ void NodeUpdate::finish(const Node& node) {
   node.children() = 0;
 }
 
-void NodeUpdate::finish_voxels(const Node& node) {
-  if (!take_most(voxels_[node.children()].log_odds, node)) return;
-  voxel_supply_.give_back(node.children());
+void NodeUpdate::finish(const Node& node, const VoxelBlock& voxels) {
+  if (!take_most(voxels.log_odds, node)) return (void)(node.children() = voxel_supply_.put(node.children(), voxels));
+  if (!node.is_leaf()) voxel_supply_.give_back(node.children());
   node.children() = 0;
 }
 

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "modules/mapper/core/octomap/node_blocks.h"
+#include "modules/mapper/core/octomap/tree_blocks.h"
 #include "modules/mapper/core/octomap/voxel_bricks.h"
 
 namespace scanway {
@@ -40,7 +41,10 @@ class NodeUpdate {
 
   /// Makes room for a leaf's children, which are no voxels: of a new node there are none yet, of any other all, like
   /// it.
-  void open(const Node& node) { node.children() = node_supply_.take(value_of_children(node)); }
+  void open(const Node& node) {
+    node.children() = node_supply_.take();
+    nodes_[node.children()].fill(value_of_children(node));
+  }
   /// A child of a node that has been opened.
   Node child_of(const Node& node, std::size_t i);
   /// The place of a child that may not be there.
@@ -69,9 +73,9 @@ class NodeUpdate {
   void update_cube(const Node& node, const Cube& cube);
   void update_word(const Node& node, const SmallCube& cube);
   void update_byte(const Node& node, const SmallCube& cube);
-  void open_voxels(const Node& node) { node.children() = voxel_supply_.take(value_of_children(node)); }
+  VoxelBlock voxels_of(const Node& node) const;
   void finish(const Node& node);
-  void finish_voxels(const Node& node);
+  void finish(const Node& node, const VoxelBlock& voxels);
 
   static float value_of_children(const Node& node) { return node.is_new ? kNoNode : node.log_odds(); }
   /// Whether a leaf's value can go no further, so that it does not matter which of its voxels are touched.
@@ -79,9 +83,9 @@ class NodeUpdate {
   void add(const Node& node, float change) const { node.log_odds() = model_.after(node.log_odds(), change); }
 
   BlockPool<NodeBlock>& nodes_;
-  BlockPool<VoxelBlock>& voxels_;
+  VoxelBlocks& voxels_;
   BlockSupply<NodeBlock> node_supply_;
-  BlockSupply<VoxelBlock> voxel_supply_;
+  VoxelSupply voxel_supply_;
   SensorModel model_;
 };
 

@@ -19,7 +19,7 @@ class RayLanes {
   /// Steps as the fastest variant does.
   explicit RayLanes(VoxelBricks& bricks);
 
-  /// The whole ray but its first voxel; it may be under way until finish().
+  /// The whole ray but its first voxel, whose brick is made if it is not there; it may be under way until finish().
   void add(const KeyRay& ray);
   void finish();
 
@@ -32,13 +32,24 @@ class RayLanes {
     Doubles between_m[3];
     Words code;
     Words mirror;
+    Words word;  ///< The number of the 64 voxels (VoxelBrick's words) that it is in,
+    Words bits;  ///< and those of them that it passed since it came there.
+  };
+
+  static constexpr std::size_t kStepsAtOnce = 16;  ///< So many steps' voxels stay in the nearest cache.
+  /// Where the lanes were before each step, and by bits which lanes then left that word: some four voxels of a ray are
+  /// in one, and are marked at once.
+  struct Passed {
+    Words word[kStepsAtOnce];
+    Words bits[kStepsAtOnce];
+    std::uint8_t left[kStepsAtOnce];
   };
 
   /// The steps as they are compiled for one kind of CPU. All give the same bits.
   struct Variant {
     std::string_view cpu;
-    /// So many steps of all lanes; the voxels that they come to, a row each step.
-    void (*step_all)(State& state, std::size_t steps, Words* voxels);
+    /// So many steps of all lanes, kStepsAtOnce at most.
+    void (*step_all)(State& state, std::size_t steps, Passed& passed);
   };
   /// Those that this CPU can run, the fastest first.
   static const std::vector<Variant>& variants();
@@ -57,7 +68,8 @@ class RayLanes {
     std::int64_t sure_steps;  ///< That are still to go.
     std::int64_t voxels;      ///< Marked when the sure steps are done.
   };
-  void mark(Place& place, MortonCode voxel);
+  std::uint64_t& word_of(std::size_t lane, std::uint64_t word);
+  void mark(const Passed& passed);
   void load(std::size_t lane, const KeyRay& ray);
   void move(std::size_t from, std::size_t to);
   void walk(std::int64_t steps);
@@ -69,7 +81,7 @@ class RayLanes {
   std::array<End, kLanes> ends_;
   std::size_t used_ = 0;
   VoxelBricks& bricks_;
-  void (*step_all_)(State& state, std::size_t steps, Words* voxels);
+  void (*step_all_)(State& state, std::size_t steps, Passed& passed);
 };
 
 }  // namespace scanway

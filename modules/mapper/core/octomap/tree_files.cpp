@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstring>
 #include <locale>
 #include <sstream>
@@ -60,7 +61,7 @@ void write_values(const TreeBlocks& blocks, const NodeBlock& block, std::size_t 
   const BlockNumber number = block.children[child];
   if (number == 0) return put_node(value, 0, parts);
   if (level == 1) {
-    const VoxelBlock& voxels = blocks.voxels[number];
+    const VoxelBlock voxels = blocks.voxels[number];
     put_node(value, present_in(voxels), parts);
     for (std::size_t i = 0; i < 8; ++i) {
       if (voxels.has(i)) put_node(voxels.log_odds[i], 0, parts);
@@ -76,13 +77,17 @@ void write_values(const TreeBlocks& blocks, const NodeBlock& block, std::size_t 
 
 void count(const TreeBlocks& blocks, const NodeBlock& block, std::size_t child, int level, LogOddsTree::Size& size) {
   ++size.nodes;
-  const BlockNumber children = block.children[child];
-  if (children == 0) return (void)++size.leaves;
+  const BlockNumber number = block.children[child];
+  if (number == 0) return (void)++size.leaves;
+  if (level == 1) {
+    const auto voxels = static_cast<std::size_t>(std::popcount(present_in(blocks.voxels[number])));
+    size.nodes += voxels;
+    size.leaves += voxels;
+    return;
+  }
+  const NodeBlock& nodes = blocks.nodes[number];
   for (std::size_t i = 0; i < 8; ++i) {
-    if (level > 1 && blocks.nodes[children].has(i)) count(blocks, blocks.nodes[children], i, level - 1, size);
-    if (level > 1 || !blocks.voxels[children].has(i)) continue;
-    ++size.nodes;
-    ++size.leaves;
+    if (nodes.has(i)) count(blocks, nodes, i, level - 1, size);
   }
 }
 
@@ -118,14 +123,19 @@ class MostLikely {
   /// Of a node's children; `of_node` of those that may have children of their own.
   template <class OfNode>
   std::array<State, 8> states_below(BlockNumber number, std::size_t depth, const OfNode& of_node) const {
+    if (depth + 1 == kTreeLevels) return states_of(blocks_.voxels[number]);
+    std::array<State, 8> states{};
+    const NodeBlock& children = blocks_.nodes[number];
+    for (std::size_t i = 0; i < 8; ++i) {
+      if (children.has(i)) states[i] = of_node(children, i);
+    }
+    return states;
+  }
+
+  static std::array<State, 8> states_of(const VoxelBlock& voxels) {
     std::array<State, 8> states{};
     for (std::size_t i = 0; i < 8; ++i) {
-      if (depth + 1 < kTreeLevels) {
-        const NodeBlock& children = blocks_.nodes[number];
-        if (children.has(i)) states[i] = of_node(children, i);
-      } else if (blocks_.voxels[number].has(i)) {
-        states[i] = of_leaf(blocks_.voxels[number].log_odds[i]);
-      }
+      if (voxels.has(i)) states[i] = of_leaf(voxels.log_odds[i]);
     }
     return states;
   }

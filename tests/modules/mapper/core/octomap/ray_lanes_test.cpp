@@ -88,7 +88,7 @@ TEST(RayLanes, EveryVariantMarksTheVoxelsOfLiboctomap) {
 /// Step by step, with borders that are equal or endless.
 TEST(RayLanes, EveryVariantStepsTheSameBits) {
   const double endless = std::numeric_limits<double>::max();
-  constexpr std::size_t kSteps = 50;
+  constexpr std::size_t kSteps = RayLanes::kStepsAtOnce;
   Random random(9);
   for (int round = 0; round < 200; ++round) {
     RayLanes::State start{};
@@ -100,15 +100,19 @@ TEST(RayLanes, EveryVariantStepsTheSameBits) {
       }
       start.code[lane] = random.below(std::uint64_t{1} << 48);
       start.mirror[lane] = random.below(2) * kAxisBits[random.below(3)];
+      start.word[lane] = (start.code[lane] ^ start.mirror[lane]) / 64;
     }
-    RayLanes::Words first[kSteps], other[kSteps];  // Not in a vector, whose memory need not be aligned so far.
-    RayLanes::State state = start;
-    RayLanes::variants().back().step_all(state, kSteps, first);
     for (const RayLanes::Variant& variant : RayLanes::variants()) {
-      RayLanes::State stepped = start;
-      variant.step_all(stepped, kSteps, other);
-      EXPECT_EQ(std::memcmp(first, other, sizeof(first)), 0) << variant.cpu;
-      EXPECT_EQ(std::memcmp(&state, &stepped, sizeof(state)), 0) << variant.cpu;
+      RayLanes::State state = start, stepped = start;
+      for (int part = 0; part < 3; ++part) {
+        RayLanes::Passed first, other;
+        std::memset(&first, 0, sizeof(first));
+        std::memset(&other, 0, sizeof(other));
+        RayLanes::variants().back().step_all(state, kSteps, first);
+        variant.step_all(stepped, kSteps, other);
+        EXPECT_EQ(std::memcmp(&first, &other, sizeof(first)), 0) << variant.cpu;
+        EXPECT_EQ(std::memcmp(&state, &stepped, sizeof(state)), 0) << variant.cpu;
+      }
     }
   }
 }
