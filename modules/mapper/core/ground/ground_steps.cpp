@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 #include "modules/mapper/core/ground/ground_surface.h"
 
@@ -48,21 +49,28 @@ void GroundSurface::find_step(int cx, int cy, int dx, int dy) {
   column.step = true;
 }
 
-void GroundSurface::find_edge(int cx, int cy) {
-  Column& column = columns_[index(cx, cy)];
-  const std::int32_t here = mean(index(cx, cy));
-  std::int32_t lower = here;
+std::int32_t GroundSurface::lowest_around(int cx, int cy) const {
+  std::int32_t lowest = mean(index(cx, cy));
   for (int y = std::max(cy - kReach, 0); y <= std::min(cy + kReach, side_ - 1); ++y) {
     for (int x = std::max(cx - kReach, 0); x <= std::min(cx + kReach, side_ - 1); ++x) {
-      if (columns_[index(x, y)].joined) lower = std::min(lower, mean(index(x, y)));
+      if (columns_[index(x, y)].joined) lowest = std::min(lowest, mean(index(x, y)));
     }
   }
-  if (here - lower <= band_) return;
-  const auto below =
-      std::count_if(points_.begin() + static_cast<std::ptrdiff_t>(first_[index(cx, cy)]),
-                    points_.begin() + static_cast<std::ptrdiff_t>(first_[index(cx, cy) + 1]),
-                    [&](const Point& point) { return point.u < here - band_ && point.u > lower - band_; });
-  if (below < kEdgePoints) return;
+  return lowest;
+}
+
+void GroundSurface::find_edge(int cx, int cy) {
+  const std::size_t which = index(cx, cy);
+  Column& column = columns_[which];
+  const std::int32_t high = mean(which) - band_;
+  const auto count_between = [&](std::int32_t low) {
+    const auto begin = points_.begin() + static_cast<std::ptrdiff_t>(first_[which]);
+    const auto end = points_.begin() + static_cast<std::ptrdiff_t>(first_[which + 1]);
+    return std::count_if(begin, end, [&](const Point& point) { return point.u < high && point.u > low; });
+  };
+  if (count_between(std::numeric_limits<std::int32_t>::min()) < kEdgePoints) return;
+  const std::int32_t lower = lowest_around(cx, cy);
+  if (lower >= high || count_between(lower - band_) < kEdgePoints) return;
   column.lower = column.step ? std::min(column.lower, lower) : lower;
   column.step = true;
 }

@@ -112,6 +112,7 @@ class GroundSurface {
   void find_face(int cx, int cy);
   void measure_spread(std::size_t column);
   void find_step(int cx, int cy, int dx, int dy);
+  std::int32_t lowest_around(int cx, int cy) const;
   void find_edge(int cx, int cy);
   bool stepped_between(int cx, int cy, int x, int y) const;
   Samples samples_around(int cx, int cy) const;
