@@ -10,14 +10,15 @@
 namespace scanway {
 namespace {
 
-constexpr double kShrinkage = 0.01;      // m^2: draws a fitted slope towards the ground plane's where points are few
-constexpr double kMaxDisagreeing = 0.1;  // of the points around: stray returns do not take the floor away
-constexpr int kFillRings = 50;           // columns: how far a height is carried over to where there is no ground
-constexpr double kHeightUnit = 1e-4;     // metres
+constexpr double kSlopeBeside = 0.1;      // metres a metre: what ground on one side of a step may rise towards it
+constexpr std::size_t kSlopeSamples = 4;  // of fewer a slope is not known
+constexpr double kMaxDisagreeing = 0.1;   // of the points around: stray returns do not take the floor away
+constexpr int kFillRings = 50;            // columns: how far a height is carried over to where there is no ground
+constexpr double kHeightUnit = 1e-4;      // metres
 
 }  // namespace
 
-/// Points of ground about a column's centre, one a joined column around.
+/// Points of ground about a column's centre, one a joined column around, the nearest first.
 struct GroundSurface::Samples {
   std::array<Eigen::Vector3d, 64> points;
   std::array<double, 64> weights;
@@ -27,32 +28,28 @@ struct GroundSurface::Samples {
     weights[count] = weight;
     points[count++] = point;
   }
-  /// u = c + a x + b y, each sample counting the same.
-  struct Plane {
-    double a, b, c;
-    double at(const Eigen::Vector3d& p) const { return c + a * p.x() + b * p.y(); }
-  };
   Plane plane() const {
-    double n = 0.0, x1 = 0.0, y1 = 0.0, u1 = 0.0, xx = 0.0, xy = 0.0, yy = 0.0, xu = 0.0, yu = 0.0;
-    for (std::size_t i = 0; i < count; ++i) {
-      const Eigen::Vector3d& p = points[i];
-      n += 1.0, x1 += p.x(), y1 += p.y(), u1 += p.z();
-      xx += p.x() * p.x(), xy += p.x() * p.y(), yy += p.y() * p.y(), xu += p.x() * p.z(), yu += p.y() * p.z();
-    }
-    const double sxx = xx - x1 * x1 / n + kShrinkage, syy = yy - y1 * y1 / n + kShrinkage, sxy = xy - x1 * y1 / n;
-    const double sxu = xu - x1 * u1 / n, syu = yu - y1 * u1 / n;
-    const double determinant = sxx * syy - sxy * sxy;
-    const double a = (sxu * syy - syu * sxy) / determinant, b = (syu * sxx - sxu * sxy) / determinant;
-    return {a, b, (u1 - a * x1 - b * y1) / n};
+    PlaneSums sums;
+    for (std::size_t i = 0; i < count; ++i) sums.add(points[i]);
+    return sums.plane();
   }
   /// Whether nearly all points lie within `limit` of the plane.
   bool agree(const Plane& plane, double limit) const {
     double disagreeing = 0.0, all = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
       all += weights[i];
-      if (std::fabs(points[i].z() - plane.at(points[i])) > limit) disagreeing += weights[i];
+      if (std::fabs(points[i].z() - plane.at(points[i].x(), points[i].y())) > limit) disagreeing += weights[i];
     }
     return disagreeing <= kMaxDisagreeing * all;
+  }
+  /// Those that lie as the nearest does, but for a slope.
+  Samples beside_nearest(double limit) const {
+    Samples kept;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double away = (points[i] - points[0]).head<2>().norm();
+      if (std::fabs(points[i].z() - points[0].z()) <= limit + kSlopeBeside * away) kept.add(points[i], weights[i]);
+    }
+    return kept;
   }
 };
 
@@ -77,33 +74,52 @@ GroundSurface::Samples GroundSurface::samples_around(int cx, int cy) const {
   return samples;
 }
 
+std::optional<GroundSurface::Plane> GroundSurface::carrying_plane(const Samples& all) const {
+  const double step = config_.climbable_step_m + config_.range_sigma_m;
+  if (all.count < 2) return std::nullopt;
+  Samples samples = all;
+  Plane plane = samples.plane();
+  if (!samples.agree(plane, step / 2)) {
+    const Samples beside = samples.beside_nearest(step / 2);
+    if (beside.count >= 2 && beside.agree(beside.plane(), step / 2)) samples = beside, plane = beside.plane();
+  }
+  if (!samples.agree(plane, step)) return std::nullopt;
+  const double slope_x = plane_.slope_x + plane.a, slope_y = plane_.slope_y + plane.b;
+  const double gradient = std::sqrt(slope_x * slope_x + slope_y * slope_y);
+  if (repeatable::atan2(gradient, 1.0) > config_.climbable_slope) return std::nullopt;
+  return plane;
+}
+
+GroundSurface::Plane GroundSurface::ahead_of(std::size_t column) const {
+  const Samples samples = samples_around(static_cast<int>(column % side_), static_cast<int>(column / side_));
+  std::optional<Plane> plane;
+  if (samples.count >= kSlopeSamples) plane = carrying_plane(samples);
+  return plane.value_or(Plane{0.0, 0.0, mean(column) * kHeightUnit});
+}
+
 void GroundSurface::fit_column(int cx, int cy) {
   const Samples samples = samples_around(cx, cy);
   Column& column = columns_[index(cx, cy)];
   column.support = static_cast<std::uint8_t>(samples.count);
-  if (samples.count < 2) return;
-  if (column.step) {
-    column.carried = true;
+  if (column.step) {  // Also where nothing carries: what returns from above it is no ground.
+    column.carried = samples.count >= 2;
     column.height = static_cast<float>(column.lower * kHeightUnit);
     return;
   }
-  const Samples::Plane plane = samples.plane();
-  if (!samples.agree(plane, config_.climbable_step_m + config_.range_sigma_m)) return;
-  const double slope_x = plane_.slope_x + plane.a, slope_y = plane_.slope_y + plane.b;
-  const double gradient = std::sqrt(slope_x * slope_x + slope_y * slope_y);
-  if (repeatable::atan2(gradient, 1.0) > config_.climbable_slope) return;
+  const std::optional<Plane> plane = carrying_plane(samples);
+  if (!plane) return;
   column.carried = true;
-  column.height = static_cast<float>(plane.c);
-  column.slope_x = static_cast<float>(plane.a);
-  column.slope_y = static_cast<float>(plane.b);
+  column.height = static_cast<float>(plane->c);
+  column.slope_x = static_cast<float>(plane->a);
+  column.slope_y = static_cast<float>(plane->b);
 }
 
 void GroundSurface::fill_outwards() {
   std::vector<std::size_t> front;
   std::vector<bool> known(columns_.size());
   for (std::size_t c = 0; c < columns_.size(); ++c) {
-    known[c] = columns_[c].carried;
-    if (known[c]) front.push_back(c);
+    known[c] = columns_[c].carried || columns_[c].step;
+    if (columns_[c].carried) front.push_back(c);
   }
   for (int ring = 0; ring < kFillRings && !front.empty(); ++ring) {
     std::vector<std::size_t> next;

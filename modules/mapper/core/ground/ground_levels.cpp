@@ -6,25 +6,29 @@
 
 #include "modules/mapper/core/ground/column_offsets.h"
 
-/// Ground beside the ground: levels that cannot be reached, and the steps between them.
+/// Ground beside the ground: levels that cannot be reached.
 namespace scanway {
 namespace {
 
-constexpr int kFirmPoints = 4;          // a column's mean of fewer is as uneven as the ground itself
-constexpr int kOnLevel = 8;             // a column that is off a level by less than this part of a step lies on it
-constexpr int kRingsApart = 10;         // columns
-constexpr int kFaceRange = 1000;        // units about a column's mean: what is further off is no part of the ground
-constexpr std::int32_t kFaceRatio = 3;  // a face spreads over so many times as much as the ground around it
-constexpr int kAround = 6;              // columns: what a face is told from
-constexpr int kSearch = 30;             // columns: how far the nearest ground is looked for
-constexpr double kMostWithin = 4;       // times as many points on a level as off it make a column flat
-constexpr double kLevelUnit = 1e-4;     // metres: of heights
+constexpr double kLargestThing = 15.0;      // m^2: what leans and is larger is a ramp
+constexpr int kRingsApart = 10;             // columns
+constexpr std::size_t kMostFurniture = 10;  // of so many columns of a level one may be too high
+constexpr int kSearch = 30;                 // columns: how far the nearest ground is looked for
+constexpr double kMostWithin = 4;           // times as many points on a level as off it make a column flat
+constexpr double kLevelUnit = 1e-4;         // metres: of heights
+constexpr double kLevelTilt = 0.08;         // metres a metre against the ground: what is steeper leans on it
+
+/// Of a square, with what it carries around it: far from the sensor its own columns are few.
+double area_when_dilated(double area) {
+  const double side = std::sqrt(area) + 2 * GroundSurface::kReach * GroundSurface::kColumn;
+  return side * side;
+}
 
 }  // namespace
 
 bool GroundSurface::flat(std::size_t column, std::int32_t& height) const {
   const std::size_t begin = first_[column], end = first_[column + 1];
-  if (end - begin < static_cast<std::size_t>(kFirmPoints)) return false;
+  if (end - begin < 2) return false;
   std::vector<std::int32_t> heights;
   for (std::size_t i = begin; i < end; ++i) heights.push_back(points_[i].u);
   std::nth_element(heights.begin(), heights.begin() + heights.size() / 2, heights.end());
@@ -47,6 +51,39 @@ std::int32_t GroundSurface::nearest_ground(std::size_t column) const {
   return 0;
 }
 
+bool GroundSurface::is_level(const std::vector<std::size_t>& columns) const {
+  PlaneSums sums;
+  for (const std::size_t column : columns) {
+    const double cx = static_cast<double>(column % side_), cy = static_cast<double>(column / side_);
+    sums.add({cx * kColumn, cy * kColumn, mean(column) * kLevelUnit});
+  }
+  const LocalPlane plane = sums.plane();
+  return std::sqrt(plane.a * plane.a + plane.b * plane.b) <= kLevelTilt;
+}
+
+void GroundSurface::keep_if_level(const std::vector<std::size_t>& columns) {
+  if (is_level(columns) || area_around(columns) >= area_when_dilated(kLargestThing)) return;
+  for (const std::size_t column : columns) columns_[column] = Column{};
+}
+
+double GroundSurface::area_around(const std::vector<std::size_t>& columns) const {
+  static const std::vector<Eigen::Vector2i> kCarried = offsets_within(kReach);
+  std::vector<std::size_t> around;
+  for (const std::size_t column : columns) {
+    const int cx = static_cast<int>(column % side_), cy = static_cast<int>(column / side_);
+    for (const Eigen::Vector2i& offset : kCarried) {
+      if (inside(cx + offset.x(), cy + offset.y())) around.push_back(index(cx + offset.x(), cy + offset.y()));
+    }
+  }
+  std::sort(around.begin(), around.end());
+  const auto different = std::unique(around.begin(), around.end()) - around.begin();
+  return static_cast<double>(different) * kColumn * kColumn;
+}
+
+void GroundSurface::leave(const std::vector<std::size_t>& columns, std::vector<bool>& tried) {
+  for (const std::size_t column : columns) columns_[column] = Column{}, tried[column] = true;
+}
+
 bool GroundSurface::try_level(std::size_t seed, std::vector<bool>& tried) {
   std::int32_t height = 0;
   if (!flat(seed, height)) return false;
@@ -54,12 +91,16 @@ bool GroundSurface::try_level(std::size_t seed, std::vector<bool>& tried) {
   if ((height - below) * kLevelUnit > config_.highest_level_m || !join(seed, height)) return false;
   // Far from the sensor a level shows in rings, so far apart.
   static const std::vector<Eigen::Vector2i> kRings = offsets_within(kRingsApart);
-  const std::vector<std::size_t> level = grow({seed}, kRings);
-  const bool low = std::all_of(level.begin(), level.end(), [&](std::size_t column) {
+  std::vector<std::size_t> level = grow({seed}, kRings);
+  const auto high = std::stable_partition(level.begin(), level.end(), [&](std::size_t column) {
     return (mean(column) - below) * kLevelUnit <= config_.highest_level_m;
   });
-  if (low && static_cast<double>(level.size()) * kColumn * kColumn >= config_.least_level_m2) return true;
-  for (const std::size_t column : level) columns_[column] = Column{}, tried[column] = true;
+  const std::vector<std::size_t> furniture(high, level.end());  // Such as the foot of a tree that stands there.
+  level.erase(high, level.end());
+  leave(furniture, tried);
+  const bool low = furniture.size() * kMostFurniture <= level.size();
+  if (low && is_level(level) && area_around(level) >= area_when_dilated(config_.least_level_m2)) return true;
+  leave(level, tried);
   return false;
 }
 
@@ -67,112 +108,10 @@ void GroundSurface::join_levels() {
   if (!std::isfinite(config_.least_level_m2)) return;
   std::vector<bool> tried(columns_.size());
   for (std::size_t column = 0; column < columns_.size(); ++column) {
-    if (columns_[column].joined || tried[column] || first_[column] == first_[column + 1]) continue;
+    if (columns_[column].joined || tried[column] || empty(column)) continue;
     tried[column] = true;
     try_level(column, tried);
   }
-}
-
-const GroundSurface::Column* GroundSurface::firm(int cx, int cy) const {
-  if (!inside(cx, cy)) return nullptr;
-  const Column& column = columns_[index(cx, cy)];
-  return column.joined && column.count >= kFirmPoints ? &column : nullptr;
-}
-
-void GroundSurface::find_step(int cx, int cy, int dx, int dy) {
-  const Column *before = firm(cx - dx, cy - dy), *after = firm(cx + dx, cy + dy);
-  if (before == nullptr || after == nullptr || before->face || after->face) return;
-  const std::int32_t low = mean(index(cx - dx, cy - dy)), high = mean(index(cx + dx, cy + dy));
-  std::int32_t jump = high - low;
-  if (std::abs(jump) <= band_) return;
-  if (firm(cx, cy) != nullptr) {  // On one of the two levels: the step runs beside it.
-    const std::int32_t here = mean(index(cx, cy));
-    if (std::min(std::abs(here - low), std::abs(here - high)) < std::abs(jump) / kOnLevel) return;
-  }
-  for (const int side : {-1, 1}) {
-    for (const int far : {3, 2}) {
-      if (firm(cx + side * far * dx, cy + side * far * dy) == nullptr) continue;
-      const std::int32_t beyond = mean(index(cx + side * far * dx, cy + side * far * dy));
-      jump -= side * (beyond - (side < 0 ? low : high)) / (far - 1);
-      break;
-    }
-  }
-  if (std::abs(jump) <= band_) return;
-  Column& column = columns_[index(cx, cy)];
-  const std::int32_t lower = std::min(low, high);
-  column.lower = column.step ? std::min(column.lower, lower) : lower;
-  column.step = true;
-}
-
-void GroundSurface::find_steps() {
-  for (int cy = 0; cy < side_; ++cy) {
-    for (int cx = 0; cx < side_; ++cx) {
-      for (const auto& [dx, dy] : {std::pair(1, 0), std::pair(0, 1), std::pair(1, 1), std::pair(1, -1)}) {
-        find_step(cx, cy, dx, dy);
-      }
-    }
-  }
-}
-
-void GroundSurface::measure_spread(std::size_t which) {
-  Column& column = columns_[which];
-  const std::int32_t middle = mean(which);
-  std::int64_t count = 0, sum = 0, squares = 0;
-  column.lowest = middle;
-  for (std::size_t i = first_[which]; i < first_[which + 1]; ++i) {
-    const std::int64_t off = points_[i].u - middle;
-    if (std::abs(off) > kFaceRange) continue;
-    ++count, sum += off, squares += off * off;
-    column.lowest = std::min(column.lowest, points_[i].u);
-  }
-  const double n = static_cast<double>(std::max<std::int64_t>(count, 1));
-  const double average = static_cast<double>(sum) / n;
-  column.spread =
-      static_cast<std::int32_t>(std::sqrt(std::max(0.0, static_cast<double>(squares) / n - average * average)));
-}
-
-void GroundSurface::find_face(int cx, int cy) {
-  Column& column = columns_[index(cx, cy)];
-  // Evenly spread over a height h, the deviation is h / sqrt(12).
-  if (column.step || column.count < kFirmPoints || column.spread * 12 < band_ * 4) return;
-  std::vector<std::int32_t> around;
-  std::int32_t lowest = column.lowest;
-  for (int y = -kAround; y <= kAround; ++y) {
-    for (int x = -kAround; x <= kAround; ++x) {
-      const Column* other = firm(cx + x, cy + y);
-      if (other == nullptr) continue;
-      around.push_back(other->spread);
-      if (std::abs(x) <= 1 && std::abs(y) <= 1) lowest = std::min(lowest, other->lowest);
-    }
-  }
-  // The face goes on to both sides, so that many of the columns around show it, too.
-  const auto even = around.begin() + static_cast<std::ptrdiff_t>(around.size() / 5);
-  std::nth_element(around.begin(), even, around.end());
-  if (column.spread < kFaceRatio * *even) return;
-  column.face = column.step = true;
-  column.lower = lowest;
-}
-
-void GroundSurface::find_faces() {
-  for (std::size_t column = 0; column < columns_.size(); ++column) {
-    if (columns_[column].joined) measure_spread(column);
-  }
-  for (int cy = 0; cy < side_; ++cy) {
-    for (int cx = 0; cx < side_; ++cx) {
-      if (columns_[index(cx, cy)].joined) find_face(cx, cy);
-    }
-  }
-}
-
-bool GroundSurface::stepped_between(int cx, int cy, int x, int y) const {
-  const int steps = std::max(std::abs(x - cx), std::abs(y - cy));
-  for (int i = 1; i < steps; ++i) {
-    const auto between = [&](int from, int to) {
-      return from + static_cast<int>(std::lround(double(to - from) * i / steps));
-    };
-    if (columns_[index(between(cx, x), between(cy, y))].step) return true;
-  }
-  return false;
 }
 
 }  // namespace scanway

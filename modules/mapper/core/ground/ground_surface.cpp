@@ -61,7 +61,7 @@ void GroundSurface::sort_points(const MapPoints& points) {
 
 bool GroundSurface::join(std::size_t which, std::int32_t expected) {
   Column& column = columns_[which];
-  if (column.joined || first_[which] == first_[which + 1]) return false;
+  if (column.joined || empty(which)) return false;
   // Twice: the second time about the mean of the first, so that half of a small step is not cut off.
   for (int round = 0; round < 2; ++round) {
     Column ground;
@@ -87,10 +87,14 @@ std::vector<std::size_t> GroundSurface::grow(std::vector<std::size_t> front,
                                              const std::vector<Eigen::Vector2i>& reach) {
   for (std::size_t next = 0; next < front.size(); ++next) {  // first in, first out
     const int cx = static_cast<int>(front[next] % side_), cy = static_cast<int>(front[next] / side_);
-    const std::int32_t height = mean(front[next]);
+    std::optional<Plane> ahead;
     for (const Eigen::Vector2i& offset : reach) {
       const int x = cx + offset.x(), y = cy + offset.y();
-      if (inside(x, y) && join(index(x, y), height)) front.push_back(index(x, y));
+      if (!inside(x, y) || columns_[index(x, y)].joined || empty(index(x, y))) continue;
+      if (!ahead) ahead = ahead_of(front[next]);
+      if (join(index(x, y), to_units(ahead->at(offset.x() * kColumn, offset.y() * kColumn)))) {
+        front.push_back(index(x, y));
+      }
     }
   }
   return front;
@@ -120,7 +124,7 @@ void GroundSurface::cross_gaps() {
       const int step = std::abs(y) == ring ? 1 : 2 * ring;
       for (int x = -ring; x <= ring; x += step) {
         const std::size_t column = index(centre + x, centre + y);
-        if (columns_[column].joined || first_[column] == first_[column + 1]) continue;
+        if (columns_[column].joined || empty(column)) continue;
         std::int32_t expected = 0;
         for (int r = ring - 1; r > 0; --r) {  // the nearest joined column on the line to the robot
           const Column& towards = columns_[index(centre + x * r / ring, centre + y * r / ring)];
@@ -128,7 +132,7 @@ void GroundSurface::cross_gaps() {
           expected = towards.u_sum / towards.count;
           break;
         }
-        if (join(column, expected)) grow({column}, reachable());
+        if (join(column, expected)) keep_if_level(grow({column}, reachable()));
       }
     }
   }

@@ -2,12 +2,14 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "modules/mapper/core/cloud/map_points.h"
 #include "modules/mapper/core/ground/ground_plane.h"
+#include "modules/mapper/core/ground/plane_sums.h"
 
 namespace scanway {
 
@@ -19,27 +21,31 @@ struct GroundSurfaceConfig {
   /// Ground that cannot be reached is ground all the same (a pavement, a traffic island, the bottom of a trench) where
   /// it shows so much area at one level, square metres. Infinite: only what can be reached.
   double least_level_m2 = std::numeric_limits<double>::infinity();
-  double highest_level_m = 0.3;  ///< Above the nearest ground: what is higher is furniture.
+  double highest_level_m = 0.2;  ///< Above the nearest ground: what is higher is furniture.
 };
 
 /// The ground of one sweep, piecewise: what the robot reaches from where it stands without a step that it cannot climb.
 ///
 /// Space is cut into columns of 0.1 m. Starting around the robot, a column joins when it shows points within the
 /// climbable step (widened by the range's deviation, as the paper widens its band) of a joined column at most 0.3 m
-/// away, heights being counted from the sweep's ground plane, so that an even slope is no step. Floor across a gap or a
-/// shadow joins when it lies at the height of the nearest floor towards the robot. A platform, a table or a kerb that
-/// is too high to climb therefore never joins, however flat it is.
+/// away, or of how the ground goes on from there: by the plane through what has joined within 0.3 m, so that a ramp of
+/// which only lines are seen is followed up. Floor across a gap or a shadow joins when it lies at the height of the
+/// nearest floor towards the robot, and does not lean, unless it is larger than any thing that might lie there. A
+/// platform, a table or a kerb that is too high to climb therefore never joins, however flat it is.
 ///
-/// A level that cannot be reached so is ground, too, where it is large and not high above what is (see the config).
+/// A level that cannot be reached so is ground, too, where it is large, does not lean and is not high above what is
+/// (see the config). Its area is that which its columns carry: far from the sensor few of them show points.
 ///
 /// Where heights jump by more than the widened step between one side of a column and the other, slopes on both sides
 /// allowed for, a step runs through it: its ground is that of the lower side, whose returns from the step's face and
 /// what is on top then lie above. So it is where the heights within a column spread over more than the step and much
-/// more than in those around it: a step's face, seen from afar.
+/// more than in those around it: a step's face, seen from afar. And so it is where a column shows points below its
+/// ground, and within 0.3 m there is ground as low: an upright side, as of a ramp.
 ///
 /// A column is carried when at least two joined columns within 0.3 m agree on one plane: of their points at most a
 /// tenth in columns that are off it by more than the widened step, and its slope climbable. The height in the column is
-/// that plane's.
+/// that plane's. Where they lie further off a plane than half a step, those count that lie as the nearest does, so that
+/// a low step is no slope.
 class GroundSurface {
  public:
   static constexpr double kColumn = 0.1;  ///< Metres.
@@ -82,14 +88,23 @@ class GroundSurface {
     std::int32_t u;
   };
 
+  struct Samples;
+  using Plane = LocalPlane;  ///< About a column's centre, above the ground plane.
+
   void sort_points(const MapPoints& points);
   bool join(std::size_t which, std::int32_t expected);
   /// All that joined, the front first.
   std::vector<std::size_t> grow(std::vector<std::size_t> front, const std::vector<Eigen::Vector2i>& reach);
+  /// How the ground goes on from a joined column: as the plane that carries it, or level where none is known.
+  Plane ahead_of(std::size_t column) const;
   void start_around_robot();
   void cross_gaps();
   void join_levels();
   bool try_level(std::size_t seed, std::vector<bool>& tried);
+  bool is_level(const std::vector<std::size_t>& columns) const;
+  void keep_if_level(const std::vector<std::size_t>& columns);
+  void leave(const std::vector<std::size_t>& columns, std::vector<bool>& tried);
+  double area_around(const std::vector<std::size_t>& columns) const;
   bool flat(std::size_t column, std::int32_t& height) const;
   std::int32_t nearest_ground(std::size_t column) const;
   void find_steps();
@@ -97,11 +112,15 @@ class GroundSurface {
   void find_face(int cx, int cy);
   void measure_spread(std::size_t column);
   void find_step(int cx, int cy, int dx, int dy);
+  std::int32_t lowest_around(int cx, int cy) const;
+  void find_edge(int cx, int cy);
   bool stepped_between(int cx, int cy, int x, int y) const;
-  struct Samples;
   Samples samples_around(int cx, int cy) const;
+  /// What carries the robot there: the samples agree on it and its slope can be climbed.
+  std::optional<Plane> carrying_plane(const Samples& samples) const;
   void fit_column(int cx, int cy);
   void fill_outwards();
+  bool empty(std::size_t column) const { return first_[column] == first_[column + 1]; }
   std::int32_t mean(std::size_t column) const { return columns_[column].u_sum / columns_[column].count; }
   /// Its ground as far as it can be trusted beside others; nothing for few points.
   const Column* firm(int cx, int cy) const;
