@@ -119,4 +119,19 @@ MapComparison compare(const CostMap& map, const Pose& X_map_world, const simulat
   });
 }
 
+std::vector<std::size_t> lost_cells(const CostMap& map, const Pose& X_map_world, const simulator::TruthGrid& truth,
+                                    const SeenGround& seen) {
+  const MapInWorld in_world(map, X_map_world);
+  std::vector<std::size_t> lost;
+  for (std::int32_t y = seen.window.low_y; y < seen.window.high_y; ++y) {
+    for (std::int32_t x = seen.window.low_x; x < seen.window.high_x; ++x) {
+      const std::size_t i = seen.window.index(x, y);
+      if (truth.at(Cell{x, y}) != CellTruth::free || seen.near[i] == 0 || seen.visible[i] < 2) continue;
+      const Cell cell = in_world.cell(seen.window.centre(x), seen.window.centre(y));
+      if (in_world.state(cell) != CellState::free) lost.push_back(i);
+    }
+  }
+  return lost;
+}
+
 }  // namespace scanway::tools

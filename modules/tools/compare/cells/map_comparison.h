@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "common/grid/cost_map.h"
 #include "modules/simulator/core/truth/truth_grid.h"
@@ -44,5 +45,10 @@ struct MapComparison {
 /// lies. `truth` and `seen` have the same resolution; `X_map_world`: as the robot's first place has it.
 MapComparison compare(const CostMap& map, const Pose& X_map_world, const simulator::TruthGrid& truth,
                       const SeenGround& seen);
+
+/// The cells of the truth (by their index in seen's window) that are free, that two sweeps or more looked at, and that
+/// the map does not call free.
+std::vector<std::size_t> lost_cells(const CostMap& map, const Pose& X_map_world, const simulator::TruthGrid& truth,
+                                    const SeenGround& seen);
 
 }  // namespace scanway::tools

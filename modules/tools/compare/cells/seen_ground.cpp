@@ -104,6 +104,16 @@ class LineOfSight {
     return !hit || (hit->surface.label == Label::ground && hit->range_m >= length - kGrazing_m);
   }
 
+  /// Every kAirGap_m up to the body's height.
+  bool reaches_air(double x, double y, double ground, const Robot::Body& body) const {
+    for (double above = body.climbable_step_m; above < body.height_m; above += kAirGap_m) {
+      const Vector3d way = Vector3d(x, y, ground + above) - sensor_;
+      const double length = way.norm();
+      if (caster_.cast(sensor_, way / length, length)) return false;
+    }
+    return true;
+  }
+
  private:
   Mesh body_;
   RayCaster caster_;
@@ -127,6 +137,25 @@ SeenGround seen_ground(const World& world, const Robot& robot, const std::vector
         const double x = window.centre(window.low_x + static_cast<std::int32_t>(i % width));
         const double y = window.centre(window.low_y + static_cast<std::int32_t>(i / width));
         if (sight.reaches(x, y, heights[i])) ++seen.visible[i];
+      }
+    });
+  }
+  return seen;
+}
+
+std::vector<std::uint8_t> seen_with_air(const World& world, const Robot& robot, const std::vector<TrueSweep>& sweeps,
+                                        const CellWindow& window, const std::vector<std::size_t>& cells) {
+  std::vector<std::uint8_t> seen(cells.size(), 0);
+  const std::vector<double> heights = ground_heights(world, window);
+  const auto width = static_cast<std::size_t>(window.width());
+  for (const TrueSweep& taken : sweeps) {
+    const LineOfSight sight(world, robot, taken);
+    for_blocks(cells.size(), kRowsAtOnce * width, [&](std::size_t begin, std::size_t end, std::size_t) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const double x = window.centre(window.low_x + static_cast<std::int32_t>(cells[i] % width));
+        const double y = window.centre(window.low_y + static_cast<std::int32_t>(cells[i] / width));
+        const double ground = heights[cells[i]];
+        if (sight.reaches(x, y, ground) && sight.reaches_air(x, y, ground, robot.body)) ++seen[i];
       }
     });
   }

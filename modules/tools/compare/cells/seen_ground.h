@@ -31,4 +31,13 @@ constexpr double kGroundReach_m = 0.3;  ///< So far ground points carry the grou
 SeenGround seen_ground(const simulator::World& world, const Robot& robot, const std::vector<TrueSweep>& sweeps,
                        const simulator::CellWindow& window);
 
+/// Of some cells of the window, by their index: how many sweeps look onto the ground at the centre and at all of the
+/// air above it that the body needs, up to what a thing of kAirGap_m leaves open. Floor that is seen below a car is not
+/// among them.
+std::vector<std::uint8_t> seen_with_air(const simulator::World& world, const Robot& robot,
+                                        const std::vector<TrueSweep>& sweeps, const simulator::CellWindow& window,
+                                        const std::vector<std::size_t>& cells);
+
+constexpr double kAirGap_m = 0.1;
+
 }  // namespace scanway::tools

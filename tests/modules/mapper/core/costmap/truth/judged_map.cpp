@@ -87,6 +87,10 @@ JudgedMap judge(const WorldSweeps& taken, const Robot::Mapping& mapping) {
                           judged.truth.low.x + judged.truth.width, judged.truth.low.y + judged.truth.height};
   judged.seen = seen_ground(taken.world, robot, truths, window);
   judged.counts = compare(judged.map, judged.X_map_world, judged.truth, judged.seen);
+  const std::vector<std::size_t> lost = lost_cells(judged.map, judged.X_map_world, judged.truth, judged.seen);
+  for (const std::uint8_t sweeps : seen_with_air(taken.world, robot, truths, window, lost)) {
+    judged.lost_in_clear_air += sweeps > 1 ? 1 : 0;
+  }
   return judged;
 }
 

@@ -30,6 +30,7 @@ struct JudgedMap {
   simulator::TruthGrid truth;
   tools::SeenGround seen;
   tools::MapComparison counts;
+  std::int64_t lost_in_clear_air = 0;  ///< Of counts.two's lost cells: two sweeps also saw the air above.
 };
 
 /// All sweeps in their order, as Map lays them over each other, with what the robot file says of mapping.

@@ -86,6 +86,8 @@ int main(int argc, char** argv) {
   const std::string name = std::string(argv[1]) + " " + argv[2] + (mapping.paper_projection ? ", paper" : "");
   const JudgedMap judged = judge(take_sweeps(argv[1], std::stoull(argv[2]), plan), mapping);
   print_row(name + ", two", judged.counts.two);
+  std::printf("| %s, two | lost where two sweeps saw the air above, too | %.3f |\n", name.c_str(),
+              percent(judged.lost_in_clear_air, judged.counts.two.free));
   print_row(name + ", one", judged.counts.one);
   std::printf("| %s, none | %lld | called free %lld |\n", name.c_str(), static_cast<long long>(judged.counts.unseen),
               static_cast<long long>(judged.counts.unseen_called_free));
