@@ -58,10 +58,9 @@ LineStretches LineRecord::missing_at_edges(const SweepTime& sweep, Utime newest)
 }
 
 bool LineRecord::last_is_whole(Utime ended) const {
-  std::int64_t last = -1;
-  for (const auto& [number, time] : times_) {
-    if (time.begin <= ended) last = number;
-  }
+  const auto begun =
+      std::find_if(times_.rbegin(), times_.rend(), [ended](const auto& line) { return line.second.begin <= ended; });
+  const std::int64_t last = begun == times_.rend() ? -1 : begun->first;
   const LineStretches missing = collector_.missing();
   return std::none_of(missing.begin(), missing.end(),
                       [last](const auto& stretch) { return stretch.first <= last && last <= stretch.second; });
